@@ -1,0 +1,14 @@
+// The HLSL names of the types that constants/ uses, for C++. HLSL has them built in.
+#pragma once
+
+#include <glm/ext/vector_int2.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+namespace boxcar {
+
+using float2 = glm::vec2;
+using float4 = glm::vec4;
+using int2 = glm::ivec2;
+
+}  // namespace boxcar

@@ -1,0 +1,228 @@
+#include "runtime/command_list.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "runtime/vulkan.h"
+#include "tools/layout/error.h"
+
+namespace boxcar {
+namespace {
+
+constexpr uint32_t kSetsPerPool = 64;
+constexpr uint32_t kMaxTimedPasses = 512;
+
+ImageState StateFor(ImageUse use) {
+    using Layout = vk::ImageLayout;
+    using Stage = vk::PipelineStageFlagBits2;
+    using Access = vk::AccessFlagBits2;
+    const auto shaders = Stage::eFragmentShader | Stage::eComputeShader;
+    switch (use) {
+        case ImageUse::ShaderRead: return {Layout::eShaderReadOnlyOptimal, shaders, Access::eShaderSampledRead};
+        case ImageUse::StorageReadWrite:
+            return {Layout::eGeneral, shaders, Access::eShaderStorageRead | Access::eShaderStorageWrite};
+        case ImageUse::ColorTarget:
+            return {Layout::eColorAttachmentOptimal, Stage::eColorAttachmentOutput,
+                    Access::eColorAttachmentRead | Access::eColorAttachmentWrite};
+        case ImageUse::DepthTarget:
+            return {Layout::eDepthAttachmentOptimal, Stage::eEarlyFragmentTests | Stage::eLateFragmentTests,
+                    Access::eDepthStencilAttachmentRead | Access::eDepthStencilAttachmentWrite};
+        case ImageUse::TransferSource:
+            return {Layout::eTransferSrcOptimal, Stage::eTransfer, Access::eTransferRead};
+        case ImageUse::TransferTarget: break;
+    }
+    return {Layout::eTransferDstOptimal, Stage::eTransfer, Access::eTransferWrite};
+}
+
+bool Writes(vk::AccessFlags2 access) {
+    using Access = vk::AccessFlagBits2;
+    return static_cast<bool>(access & (Access::eShaderStorageWrite | Access::eColorAttachmentWrite |
+                                       Access::eDepthStencilAttachmentWrite | Access::eTransferWrite |
+                                       Access::eMemoryWrite));
+}
+
+void Check(const Pass& pass, const Pipeline::Impl& pipeline) {
+    if (pass.writes.size() != pipeline.targets.size())
+        throw Error("pass '{}' writes {} images, its pipeline {}", pass.name, pass.writes.size(), pipeline.targets.size());
+    for (size_t i = 0; i < pass.writes.size(); i++) {
+        const ImageDesc& target = pass.writes[i]->Desc();
+        if (target.format != pipeline.targets[i])
+            throw Error("pass '{}' writes '{}', which is {}: its pipeline writes {}", pass.name, target.name,
+                        FormatName(target.format), FormatName(pipeline.targets[i]));
+        if (target.extent != pass.writes[0]->Extent())
+            throw Error("pass '{}' writes '{}' and '{}', which differ in extent", pass.name,
+                        pass.writes[0]->Desc().name, target.name);
+        for (const Read& read : pass.reads)
+            if (read.image == pass.writes[i])
+                throw Error("pass '{}' reads and writes '{}' at once: what it would read is undefined", pass.name,
+                            target.name);
+    }
+    if (pass.constants.size() != pipeline.constantsBytes)
+        throw Error("pass '{}' has {} bytes of constants, {} takes {}", pass.name, pass.constants.size(),
+                    pipeline.name, pipeline.constantsBytes);
+}
+
+const Image& FindRead(const Pass& pass, const Binding& binding, const Pipeline::Impl& pipeline) {
+    const auto read = std::ranges::find(pass.reads, binding.name, &Read::name);
+    if (read == pass.reads.end())
+        throw Error("pass '{}' gives nothing to read as '{}' of {}", pass.name, binding.name, pipeline.name);
+    return *read->image;
+}
+
+}  // namespace
+
+CommandList::CommandList(Device& device, Timing timing) : m_impl(new Impl) {
+    Impl& c = *m_impl;
+    c.device = &device.impl();
+    c.own = std::move(
+        c.device->device.allocateCommandBuffers({**c.device->commandPool, vk::CommandBufferLevel::ePrimary, 1})[0]);
+    c.device->Name(c.own, "boxcar commands");
+    c.commands = *c.own;
+    c.own.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    if (timing == Timing::On && c.device->nanosecondsPerTick > 0) {
+        c.timer = vk::raii::QueryPool(c.device->device, {{}, vk::QueryType::eTimestamp, 2 * kMaxTimedPasses});
+        c.device->Name(c.timer, "boxcar timer");
+        c.own.resetQueryPool(*c.timer, 0, 2 * kMaxTimedPasses);
+    }
+}
+
+CommandList::CommandList(Device& device, VkCommandBuffer wrapped) : m_impl(new Impl) {
+    m_impl->device = &device.impl();
+    m_impl->commands = wrapped;
+}
+
+CommandList::~CommandList() = default;
+CommandList::CommandList(CommandList&&) noexcept = default;
+CommandList& CommandList::operator=(CommandList&&) noexcept = default;
+
+void CommandList::Impl::Barrier(const Image& image, ImageUse use) {
+    ImageState& now = image.impl().state;
+    const ImageState next = StateFor(use);
+    const bool readAfterRead = now.layout == next.layout && !Writes(now.access) && !Writes(next.access);
+    if (readAfterRead) return;  // the barrier into this state covers every read in it
+    const auto aspect = image.Desc().format == Format::Depth32F ? vk::ImageAspectFlagBits::eDepth
+                                                                : vk::ImageAspectFlagBits::eColor;
+    const vk::ImageMemoryBarrier2 barrier(now.stages, now.access, next.stages, next.access, now.layout, next.layout,
+                                          VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED, image.Handle(),
+                                          {aspect, 0, 1, 0, 1});
+    commands.pipelineBarrier2(vk::DependencyInfo({}, {}, {}, barrier), *device->device.getDispatcher());
+    now = next;
+}
+
+std::vector<vk::DescriptorSet> CommandList::Impl::AllocateSets(const Pipeline::Impl& pipeline) {
+    std::vector<vk::DescriptorSetLayout> layouts;
+    for (const auto& layout : pipeline.setLayouts) layouts.push_back(*layout);
+    if (layouts.empty()) return {};
+    const auto& dispatch = *device->device.getDispatcher();
+    for (const bool fresh : {false, true}) {
+        if (fresh || descriptorPools.empty()) {
+            const std::array sizes = {vk::DescriptorPoolSize(vk::DescriptorType::eSampledImage, 4 * kSetsPerPool),
+                                      vk::DescriptorPoolSize(vk::DescriptorType::eStorageImage, 4 * kSetsPerPool),
+                                      vk::DescriptorPoolSize(vk::DescriptorType::eSampler, 4 * kSetsPerPool)};
+            descriptorPools.emplace_back(device->device, vk::DescriptorPoolCreateInfo({}, kSetsPerPool, sizes));
+            device->Name(descriptorPools.back(), "boxcar descriptors");
+        }
+        std::vector<vk::DescriptorSet> sets(layouts.size());
+        const vk::DescriptorSetAllocateInfo info(*descriptorPools.back(), layouts);
+        const vk::Result result =
+            (*device->device).allocateDescriptorSets(&info, sets.data(), dispatch);
+        if (result == vk::Result::eSuccess) return sets;
+    }
+    throw Error("the device has no memory left for descriptors");
+}
+
+void CommandList::Draw(const Pass& pass) {
+    Impl& c = *m_impl;
+    const Pipeline::Impl& p = pass.pipeline.impl();
+    const auto& dispatch = *c.device->device.getDispatcher();
+    Check(pass, p);
+
+    const std::vector<vk::DescriptorSet> sets = c.AllocateSets(p);
+    for (const Binding& binding : p.bindings) {
+        const Image& image = FindRead(pass, binding, p);
+        const bool storage = binding.kind == ResourceKind::StorageImage;
+        c.Barrier(image, storage ? ImageUse::StorageReadWrite : ImageUse::ShaderRead);
+        const vk::DescriptorImageInfo info({}, image.View(), image.impl().state.layout);
+        const auto type = storage ? vk::DescriptorType::eStorageImage : vk::DescriptorType::eSampledImage;
+        const vk::WriteDescriptorSet write(sets[binding.set], binding.binding, 0, type, info);
+        (*c.device->device).updateDescriptorSets(write, {}, dispatch);
+    }
+    std::vector<vk::RenderingAttachmentInfo> attachments;
+    for (const Image* target : pass.writes) {
+        c.Barrier(*target, ImageUse::ColorTarget);
+        vk::RenderingAttachmentInfo attachment(target->View(), target->impl().state.layout);
+        attachment.loadOp = pass.area ? vk::AttachmentLoadOp::eLoad : vk::AttachmentLoadOp::eDontCare;
+        attachment.storeOp = vk::AttachmentStoreOp::eStore;
+        attachments.push_back(attachment);
+    }
+
+    const auto [width, height] = pass.writes[0]->Extent();
+    const Rect area = pass.area.value_or(Rect{0, 0, width, height});
+    const vk::Rect2D rect({static_cast<int32_t>(area.xTexels), static_cast<int32_t>(area.yTexels)},
+                          {area.widthTexels, area.heightTexels});
+    // Direct3D's clip space has y up: a negative height turns the viewport over.
+    const vk::Viewport viewport(0, static_cast<float>(height), static_cast<float>(width), -static_cast<float>(height),
+                                0, 1);
+
+    const std::string passName(pass.name);
+    if (c.device->hasDebugNames)
+        c.commands.beginDebugUtilsLabelEXT(vk::DebugUtilsLabelEXT(passName.c_str()), dispatch);
+    const auto query = static_cast<uint32_t>(2 * c.timedNames.size());
+    const bool timed = *c.timer && query + 1 < 2 * kMaxTimedPasses;
+    if (timed) c.commands.writeTimestamp2(vk::PipelineStageFlagBits2::eAllCommands, *c.timer, query, dispatch);
+
+    c.commands.beginRendering(vk::RenderingInfo({}, rect, 1, 0, attachments), dispatch);
+    c.commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *p.pipeline, dispatch);
+    c.commands.setViewport(0, viewport, dispatch);
+    c.commands.setScissor(0, rect, dispatch);
+    if (!sets.empty())
+        c.commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *p.layout, 0, sets, {}, dispatch);
+    if (p.constantsBytes > 0)
+        c.commands.pushConstants(*p.layout, p.constantsStages, 0, p.constantsBytes, pass.constants.data(), dispatch);
+    c.commands.draw(4, 1, 0, 0, dispatch);
+    c.commands.endRendering(dispatch);
+
+    if (timed) {
+        c.commands.writeTimestamp2(vk::PipelineStageFlagBits2::eAllCommands, *c.timer, query + 1, dispatch);
+        c.timedNames.push_back(passName);
+    }
+    if (c.device->hasDebugNames) c.commands.endDebugUtilsLabelEXT(dispatch);
+}
+
+void CommandList::Use(const Image& image, ImageUse use) { m_impl->Barrier(image, use); }
+
+void CommandList::Clear(const Image& image, const float (&rgba)[4]) {
+    Impl& c = *m_impl;
+    c.Barrier(image, ImageUse::TransferTarget);
+    vk::ClearColorValue value(std::array<float, 4>{rgba[0], rgba[1], rgba[2], rgba[3]});
+    c.commands.clearColorImage(image.Handle(), image.impl().state.layout, value,
+                               vk::ImageSubresourceRange(vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1),
+                               *c.device->device.getDispatcher());
+}
+
+void CommandList::SubmitAndWait() {
+    Impl& c = *m_impl;
+    BOXCAR_ASSERT(*c.own);
+    c.own.end();
+    const vk::raii::Fence fence(c.device->device, vk::FenceCreateInfo());
+    c.device->Name(fence, "boxcar submit");
+    const vk::CommandBuffer commands = *c.own;
+    c.device->queue.submit(vk::SubmitInfo({}, {}, commands), *fence);
+    if (c.device->device.waitForFences(*fence, true, std::numeric_limits<uint64_t>::max()) != vk::Result::eSuccess)
+        throw Error("the device '{}' did not finish", c.device->info.name);
+
+    if (c.timedNames.empty()) return;
+    const size_t count = 2 * c.timedNames.size();
+    const auto [result, ticks] = c.timer.getResults<uint64_t>(0, static_cast<uint32_t>(count), count * sizeof(uint64_t),
+                                                              sizeof(uint64_t), vk::QueryResultFlagBits::e64);
+    if (result != vk::Result::eSuccess) return;
+    for (size_t i = 0; i < c.timedNames.size(); i++) {
+        const auto elapsed = static_cast<double>(ticks[2 * i + 1] - ticks[2 * i]);
+        c.times.push_back({c.timedNames[i], elapsed * c.device->nanosecondsPerTick * 1e-6});
+    }
+}
+
+std::vector<PassTime> CommandList::PassTimes() const { return m_impl->times; }
+VkCommandBuffer CommandList::Handle() const { return m_impl->commands; }
+
+}  // namespace boxcar

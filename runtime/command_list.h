@@ -1,0 +1,54 @@
+// Records passes and the barriers between them.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "runtime/pass.h"
+#include "runtime/timing.h"
+
+namespace boxcar {
+
+// Move-only. Keep what a pass names alive until the work is done.
+class CommandList {
+public:
+    enum class Timing { Off, On };
+
+    explicit CommandList(Device& device, Timing timing = Timing::Off);
+
+    // Records into an engine's command buffer, which is being recorded and outside of rendering. The engine ends and
+    // submits it; this object must live until that work is done.
+    CommandList(Device& device, VkCommandBuffer wrapped);
+
+    ~CommandList();
+    CommandList(CommandList&&) noexcept;
+    CommandList& operator=(CommandList&&) noexcept;
+
+    // Throws Error: a texture of the shaders is not among pass.reads; an image is read and written at once; the targets
+    // differ in extent or are not of the pipeline's formats; the constants have another size than the shaders'. The
+    // message names the pass.
+    void Draw(const Pass& pass);
+
+    // Puts an image into the state for a use outside of Draw, with the barrier that it needs.
+    void Use(const Image& image, ImageUse use);
+
+    // Sets every texel. `rgba` is converted to the image's format.
+    void Clear(const Image& image, const float (&rgba)[4]);
+
+    // Ends the list, runs it and waits for it. Only for a list of one's own, once. Throws Error when the device is lost.
+    void SubmitAndWait();
+
+    // After SubmitAndWait() of a list with timing: one entry a Draw, in order. Empty where the device has no timer.
+    std::vector<PassTime> PassTimes() const;
+
+    // For Vulkan commands of one's own between passes.
+    VkCommandBuffer Handle() const;
+
+    struct Impl;
+    Impl& impl() const { return *m_impl; }
+
+private:
+    std::unique_ptr<Impl> m_impl;
+};
+
+}  // namespace boxcar

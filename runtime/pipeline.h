@@ -1,0 +1,42 @@
+// A vertex and a pixel shader, ready to draw. Everything that Vulkan wants to be told about them comes from their
+// reflected layouts: no binding number, no offset and no sampler stands in C++.
+//
+// Samplers are chosen by their names in the HLSL: {nearest|linear}{Border|Clamp|Repeat|Mirror}; Border is a border
+// colour of 0. So `SamplerState nearestBorder : register(s0);` is all there is to say.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "runtime/device.h"
+#include "runtime/format.h"
+#include "tools/layout/shader_layout.h"
+
+namespace boxcar {
+
+struct PipelineDesc {
+    EmbeddedShader vertex;  // draws a screen-aligned quad from SV_VertexID 0..3, a triangle strip
+    EmbeddedShader pixel;
+    std::vector<Format> targets = {Format::RGBA32F};  // SV_Target0, 1, ..
+};
+
+// Move-only.
+class Pipeline {
+public:
+    // Throws Error: a resource of a kind or a sampler of a name that the runtime does not know; shaders that do not
+    // link; constants over 128 bytes. The message names the shader and the resource.
+    Pipeline(Device& device, const PipelineDesc& desc);
+
+    ~Pipeline();
+    Pipeline(Pipeline&&) noexcept;
+    Pipeline& operator=(Pipeline&&) noexcept;
+
+    struct Impl;
+    Impl& impl() const { return *m_impl; }
+
+private:
+    std::unique_ptr<Impl> m_impl;
+};
+
+}  // namespace boxcar

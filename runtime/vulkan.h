@@ -1,0 +1,118 @@
+// Private to runtime/: the Vulkan objects behind the public classes. Precompiled, because vulkan_raii.hpp costs seconds
+// in every file that includes it.
+#pragma once
+
+#include <vulkan/vulkan_raii.hpp>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/command_list.h"
+#include "runtime/device.h"
+#include "runtime/image.h"
+#include "runtime/pipeline.h"
+
+namespace boxcar {
+
+struct Device::Impl {
+    explicit Impl(vk::raii::Context&& loaded) : context(std::move(loaded)) {}
+
+    vk::raii::Context context;
+    vk::raii::Instance instance = nullptr;
+    vk::raii::DebugUtilsMessengerEXT messenger = nullptr;
+    vk::raii::PhysicalDevice physicalDevice = nullptr;
+    vk::raii::Device device = nullptr;
+    vk::raii::Queue queue = nullptr;
+    uint32_t queueFamily = 0;
+    bool hasDebugNames = false;
+    bool adopted = false;
+
+    DeviceInfo info;
+    DeviceLimits limits;
+    vk::PhysicalDeviceMemoryProperties memory;
+    double nanosecondsPerTick = 0;  // 0: no timer
+    uint64_t memoryBytes = 0;
+    uint64_t peakMemoryBytes = 0;
+    std::function<void(const std::string&)> onValidationMessage;
+
+    std::optional<vk::raii::CommandPool> commandPool;
+    std::map<std::string, vk::raii::Sampler, std::less<>> samplers;  // by their names in the HLSL
+
+    // Everything that needs no more than the handles: limits, timer, pool.
+    void Finish();
+
+    // An index into memory.memoryTypes with all of `flags`, or nothing.
+    std::optional<uint32_t> MemoryType(uint32_t typeBits, vk::MemoryPropertyFlags flags) const;
+
+    // Counts bytes in and, negative, out.
+    void CountMemory(int64_t bytes);
+
+    template <typename Handle>
+    void Name(const Handle& handle, const std::string& name) const {
+        if (!hasDebugNames || name.empty()) return;
+        using C = typename Handle::CType;
+        device.setDebugUtilsObjectNameEXT(
+            {Handle::objectType, reinterpret_cast<uint64_t>(static_cast<C>(*handle)), name.c_str()});
+    }
+
+    // The sampler of a name, made when first asked for; nullptr for a name that says nothing.
+    const vk::raii::Sampler* FindSampler(std::string_view name);
+};
+
+// Where an image stands in the order of recorded commands.
+struct ImageState {
+    vk::ImageLayout layout = vk::ImageLayout::eUndefined;
+    vk::PipelineStageFlags2 stages = vk::PipelineStageFlagBits2::eNone;
+    vk::AccessFlags2 access = vk::AccessFlagBits2::eNone;
+};
+
+struct Image::Impl {
+    Device::Impl* device = nullptr;
+    ImageDesc desc;
+    vk::raii::DeviceMemory memory = nullptr;
+    vk::raii::Image ownImage = nullptr;
+    vk::raii::ImageView ownView = nullptr;
+    vk::Image image;
+    vk::ImageView view;
+    uint64_t memoryBytes = 0;
+    ImageState state;
+};
+
+// A resource of either shader, by name, and where its descriptor lives.
+struct Binding {
+    std::string name;
+    ResourceKind kind = ResourceKind::Texture;
+    uint32_t set = 0;
+    uint32_t binding = 0;
+};
+
+struct Pipeline::Impl {
+    Device::Impl* device = nullptr;
+    std::string name;
+    std::vector<Format> targets;
+    std::vector<Binding> bindings;  // that a pass has to name: samplers are fixed
+    uint32_t constantsBytes = 0;
+    vk::ShaderStageFlags constantsStages;
+    std::vector<vk::raii::DescriptorSetLayout> setLayouts;
+    vk::raii::PipelineLayout layout = nullptr;
+    vk::raii::Pipeline pipeline = nullptr;
+};
+
+struct CommandList::Impl {
+    Device::Impl* device = nullptr;
+    vk::raii::CommandBuffer own = nullptr;
+    vk::CommandBuffer commands;
+    std::vector<vk::raii::DescriptorPool> descriptorPools;
+    vk::raii::QueryPool timer = nullptr;
+    std::vector<std::string> timedNames;
+    std::vector<PassTime> times;
+
+    void Barrier(const Image& image, ImageUse use);
+    std::vector<vk::DescriptorSet> AllocateSets(const Pipeline::Impl& pipeline);
+};
+
+vk::Format VulkanFormat(Format format);
+
+}  // namespace boxcar

@@ -1,0 +1,80 @@
+#include "samples/cli/batch.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <iostream>
+
+namespace boxcar {
+namespace {
+
+// "[3/12] holiday.jpg" on a terminal; nothing elsewhere.
+class Progress {
+public:
+    Progress(size_t total) : m_total(total), m_shown(isatty(STDERR_FILENO)) {}
+    ~Progress() { Clear(); }
+
+    void Next(const std::string& name) {
+        Clear();
+        m_done++;
+        if (m_shown) fmt::print(stderr, "[{}/{}] {}", m_done, m_total, name);
+    }
+    void Clear() const {
+        if (m_shown) fmt::print(stderr, "\r\033[K");
+    }
+
+private:
+    size_t m_total;
+    size_t m_done = 0;
+    bool m_shown;
+};
+
+}  // namespace
+
+void AddBatchOptions(CLI::App& command, BatchOptions& options) {
+    command.add_option("IN", options.files.inputs, "PNG, JPEG, HDR, EXR or PFM pictures; - is standard input")->required();
+    command.add_option("-o,--output", options.files.output, "File, folder/ or - for standard output")
+        ->required()
+        ->type_name("OUT");
+    command.add_option("--format", options.files.formatWord, "Format of the output, instead of its name's ending")
+        ->check(CLI::IsMember({"png", "jpg", "jpeg", "exr", "pfm"}))
+        ->type_name("F");
+    AddReadOptions(command, options.read);
+    AddDeviceOptions(command, options.device);
+    command.add_flag("--stats", options.stats, "Print device, passes, milliseconds a pass and device memory to stderr");
+    command.add_flag("--json", options.json, "Print the same as one JSON document on stdout");
+}
+
+void RunBatch(const std::string& command, const BatchOptions& options, const std::vector<Job>& jobs, const Work& work) {
+    if (options.json && options.files.output == "-")
+        throw UsageError("--json and -o - would both write to standard output");
+    CheckedDevice device(options.device);
+    nlohmann::ordered_json document = {{"command", command},
+                                       {"device", device->Info().name},
+                                       {"driver", device->Info().driver},
+                                       {"results", nlohmann::ordered_json::array()}};
+    size_t failed = 0;
+    Progress progress(jobs.size());
+    for (const Job& job : jobs) {
+        progress.Next(job.input);
+        try {
+            const Stats stats = work(*device, job);
+            progress.Clear();
+            if (options.stats) PrintStats(stats, device->Info());
+            document["results"].push_back(ToJson(stats));
+        } catch (const Error& error) {
+            if (jobs.size() == 1) throw;
+            progress.Clear();
+            fmt::print(stderr, "boxcar: {}\n", error.what());
+            document["results"].push_back({{"input", job.input}, {"error", error.what()}});
+            failed++;
+        }
+    }
+    progress.Clear();
+    if (options.json) std::cout << document.dump(2) << std::endl;
+    device.RequireClean();
+    if (failed > 0) throw Error("{} of {} inputs failed", failed, jobs.size());
+}
+
+}  // namespace boxcar

@@ -1,0 +1,45 @@
+// boxcar: filters pictures with summed-area tables on a Vulkan device, headless.
+//
+//   boxcar filter | sat | gallery | devices
+//
+// Exit codes: 0; 1 the work failed, in one line; 2 the command line is wrong, in one line.
+#include <fmt/format.h>
+
+#include "samples/cli/devices.h"
+#include "samples/cli/filter.h"
+#include "samples/cli/gallery.h"
+#include "samples/cli/options.h"
+
+namespace {
+
+int Fail(int exitCode, std::string_view text) {
+    fmt::print(stderr, "boxcar: {}\n", text.substr(0, text.find('\n')));
+    return exitCode;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app("Filters pictures with summed-area tables on a Vulkan device.", "boxcar");
+    app.set_version_flag("--version", "boxcar " BOXCAR_VERSION);
+    app.require_subcommand(1);
+    app.footer("Example:\n  boxcar filter photo.jpg -o blurred.png --width 9\n\nboxcar COMMAND --help says more.");
+    boxcar::AddFilterCommand(app);
+    boxcar::AddSatCommand(app);
+    boxcar::AddGalleryCommand(app);
+    boxcar::AddDevicesCommand(app);
+    try {
+        app.parse(argc, argv);
+        return 0;
+    } catch (const CLI::Success& success) {
+        return app.exit(success);
+    } catch (const CLI::ParseError& error) {
+        return Fail(2, error.what());
+    } catch (const boxcar::UsageError& error) {
+        return Fail(2, error.what());
+    } catch (const std::bad_alloc&) {
+        return Fail(1, "out of memory");
+    } catch (const std::exception& error) {
+        return Fail(1, error.what());
+    }
+}

@@ -1,0 +1,85 @@
+#include "samples/cli/options.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "samples/files/color.h"
+
+namespace boxcar {
+namespace {
+
+constexpr double kMaxSizeTexels = 32768;
+
+double ParseLength(const std::string& flag, const std::string& whole, std::string_view text) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || !(value > 0 && value <= kMaxSizeTexels))
+        throw UsageError("{} {}: expected W or WxH in texels, numbers above 0 and at most {}", flag, whole,
+                         kMaxSizeTexels);
+    return value;
+}
+
+}  // namespace
+
+void AddDeviceOptions(CLI::App& command, DeviceOptions& options) {
+    command.add_option("--device", options.selector, "Vulkan device: an index or a part of its name (boxcar devices)")
+        ->type_name("D");
+    command.add_flag("--validation", options.validation, "Run under the validation layer; a message is a failure");
+}
+
+CheckedDevice::CheckedDevice(const DeviceOptions& options)
+    : device(DeviceDesc{.selector = options.selector,
+                        .validation = options.validation,
+                        .onValidationMessage = [this](const std::string& message) {
+                            messages++;
+                            fmt::print(stderr, "boxcar: {}\n", message);
+                        }}) {}
+
+void CheckedDevice::RequireClean() const {
+    if (messages > 0) throw Error("the validation layer had {} messages", messages);
+}
+
+void AddReadOptions(CLI::App& command, ReadOptions& options) {
+    command
+        .add_option("--transfer", options.transferWord,
+                    "srgb: filter in linear light (the default for 8 and 16-bit files); raw: take values as they stand "
+                    "(the default for float files)")
+        ->check(CLI::IsMember({"srgb", "raw"}))
+        ->type_name("T");
+    command.add_option("--nan", options.nanWord, "What to do with NaN and infinity: refuse (default) or zero")
+        ->check(CLI::IsMember({"refuse", "zero"}))
+        ->type_name("N");
+    command.add_option("--taps", options.taps, "Texels added per pass while the table is built: 2, 4 (default), 8, 16")
+        ->check(CLI::IsMember({"2", "4", "8", "16"}))
+        ->type_name("T");
+}
+
+Picture ReadForDevice(const std::string& path, const Device& device, const ReadOptions& options) {
+    const DeviceLimits& limits = device.Limits();
+    Picture picture = ReadPicture(path, {limits.maxSideTexels, limits.maxImageBytes});
+    if (options.nanWord == "zero") {
+        ZeroNotFinite(picture);
+    } else if (const auto at = FirstNotFinite(picture)) {
+        throw Error("{}: NaN or infinity at ({}, {}), which would poison the table from there on; --nan zero replaces it",
+                    path, at->x, at->y);
+    }
+    return picture;
+}
+
+Transfer TransferFor(const Picture& picture, const ReadOptions& options) {
+    if (options.transferWord == "auto") return picture.stored == SampleType::Float32 ? Transfer::Raw : Transfer::Srgb;
+    return options.transferWord == "srgb" ? Transfer::Srgb : Transfer::Raw;
+}
+
+uint32_t Taps(const ReadOptions& options) { return static_cast<uint32_t>(std::stoul(options.taps)); }
+
+glm::vec2 ParseSize(const std::string& flag, const std::string& text) {
+    const size_t cross = text.find('x');
+    const std::string_view view = text;
+    const double width = ParseLength(flag, text, view.substr(0, cross));
+    const double height = cross == std::string::npos ? width : ParseLength(flag, text, view.substr(cross + 1));
+    return {width, height};
+}
+
+}  // namespace boxcar

@@ -1,0 +1,66 @@
+// The words and flags that several commands share: the same flag means the same thing everywhere.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <glm/vec2.hpp>
+
+#include <optional>
+#include <string>
+
+#include "runtime/device.h"
+#include "samples/files/picture.h"
+#include "tools/layout/error.h"
+
+namespace boxcar {
+
+// The command line itself is wrong: exit 2.
+class UsageError : public Error {
+public:
+    using Error::Error;
+};
+
+// Light in, light out: how values in files become values that are filtered.
+enum class Transfer {
+    Srgb,  // 8 and 16-bit files hold sRGB codes, float files linear light; filters linear light
+    Raw,   // values as they stand
+};
+
+struct DeviceOptions {
+    std::string selector;
+    bool validation = false;
+};
+void AddDeviceOptions(CLI::App& command, DeviceOptions& options);
+
+// With validation on, a message of the layer is printed and, when the Device is done with, an Error: see Checked().
+struct CheckedDevice {
+    explicit CheckedDevice(const DeviceOptions& options);
+    Device& operator*() { return device; }
+    Device* operator->() { return &device; }
+
+    // Throws Error where the validation layer had something to say.
+    void RequireClean() const;
+
+    std::size_t messages = 0;
+    Device device;
+};
+
+// Flags of every command that reads a picture.
+struct ReadOptions {
+    std::string transferWord = "auto";
+    std::string nanWord = "refuse";
+    std::string taps = "4";
+};
+void AddReadOptions(CLI::App& command, ReadOptions& options);
+
+// Reads a picture that fits the device, refuses or replaces what is not finite.
+Picture ReadForDevice(const std::string& path, const Device& device, const ReadOptions& options);
+
+// srgb for integer files and raw for float files, unless said otherwise.
+Transfer TransferFor(const Picture& picture, const ReadOptions& options);
+
+uint32_t Taps(const ReadOptions& options);
+
+// "W" or "WxH": real numbers above 0 and at most 32768 (twice the largest side). Throws UsageError naming the flag.
+glm::vec2 ParseSize(const std::string& flag, const std::string& text);
+
+}  // namespace boxcar

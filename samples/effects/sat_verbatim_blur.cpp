@@ -1,0 +1,23 @@
+#include "samples/effects/sat_verbatim_blur.h"
+
+#include "hlsl/constants/sat_constants.h"
+#include "passes_shaders.h"
+
+namespace boxcar {
+
+SatVerbatimBlur::SatVerbatimBlur(Device& device, Extent2D extent)
+    : m_pipeline(device, {passes_shaders::Find("shaders/quad.vs"), passes_shaders::Find("shaders/sat_blur_verbatim.ps")}),
+      m_result(device, {extent, Format::RGBA32F, "verbatim blur"}) {}
+
+const Image& SatVerbatimBlur::Record(CommandList& commands, const Image& table, glm::vec2 sizeTexels) {
+    const auto [width, height] = m_result.Extent();
+    const SATFilterConstants constants{int2(width, height), sizeTexels, float4(0)};
+    commands.Draw({.name = "verbatim blur",
+                   .pipeline = m_pipeline,
+                   .reads = {{"table", &table}},
+                   .writes = {&m_result},
+                   .constants = ConstantBytes(constants)});
+    return m_result;
+}
+
+}  // namespace boxcar

@@ -1,0 +1,49 @@
+// Between bytes and pictures: a pair of functions a format, for picture.cpp alone. They know no file names; an
+// Error's text continues "PATH: ".
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "samples/files/bytes.h"
+#include "samples/files/picture.h"
+#include "tools/layout/error.h"
+
+namespace boxcar {
+
+Picture DecodePng(ByteView file, const PictureLimits& limits);
+Picture DecodeJpeg(ByteView file, const PictureLimits& limits);
+Picture DecodeHdr(ByteView file, const PictureLimits& limits);
+Picture DecodeExr(ByteView file, const PictureLimits& limits);
+Picture DecodePfm(ByteView file, const PictureLimits& limits);
+
+Bytes EncodePng(const Picture& picture, SampleType sampleType);
+Bytes EncodeJpeg(const Picture& picture);
+Bytes EncodeExr(const Picture& picture);
+Bytes EncodePfm(const Picture& picture);
+
+// Throws Error unless the sides a header gives are 1 at least and within the limits.
+void RequireWithin(uint64_t widthTexels, uint64_t heightTexels, const PictureLimits& limits);
+
+// The most that a file of a picture within the limits can need: its texels and some more.
+uint64_t MaxFileBytes(const PictureLimits& limits);
+
+// What every decoder throws at a file that ends too early.
+Error CutOff(FileFormat format);
+
+// A picture whose samples are 0.
+Picture MakePicture(uint64_t widthTexels, uint64_t heightTexels, uint32_t channels, SampleType stored);
+
+// The samples as integers: clamped to [0,1], times the largest Code, rounded to nearest; NaN becomes 0.
+template <typename Code>
+std::vector<Code> ToCodes(const std::vector<float>& samples) {
+    constexpr double kLargest = static_cast<Code>(~Code{0});
+    std::vector<Code> codes(samples.size());
+    for (size_t i = 0; i < samples.size(); ++i) {
+        const double sample = samples[i] > 0.0f ? (samples[i] < 1.0f ? samples[i] : 1.0) : 0.0;
+        codes[i] = static_cast<Code>(sample * kLargest + 0.5);
+    }
+    return codes;
+}
+
+}  // namespace boxcar

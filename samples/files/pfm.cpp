@@ -1,0 +1,83 @@
+// Debevec's portable float map: "PF" (colour) or "Pf" (grey), width, height, a scale whose sign is the byte order;
+// then rows of float32, bottom row first.
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include "samples/files/codecs.h"
+
+namespace boxcar {
+namespace {
+
+constexpr bool IsSpace(char c) {
+    return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
+
+// Takes the next word off `text`. Empty at its end.
+std::string_view NextWord(std::string_view& text) {
+    const auto begin = std::find_if_not(text.begin(), text.end(), IsSpace);
+    const auto end = std::find_if(begin, text.end(), IsSpace);
+    text.remove_prefix(static_cast<size_t>(end - text.begin()));
+    return {begin, end};
+}
+
+template <typename Number>
+Number ToNumber(std::string_view word) {
+    if (word.starts_with('+')) word.remove_prefix(1);
+    Number number = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    if (end != word.data() + word.size() || word.empty() || error == std::errc::invalid_argument)
+        throw Error("damaged PFM: its header needs a width, a height and a scale, all of them numbers");
+    return error == std::errc() ? number : std::numeric_limits<Number>::max();
+}
+
+uint32_t LoadWord(const uint8_t* bytes, bool littleEndian) {
+    const uint32_t word =
+        uint32_t{bytes[0]} | uint32_t{bytes[1]} << 8 | uint32_t{bytes[2]} << 16 | uint32_t{bytes[3]} << 24;
+    return littleEndian ? word : __builtin_bswap32(word);
+}
+
+}  // namespace
+
+Picture DecodePfm(ByteView file, const PictureLimits& limits) {
+    std::string_view text(reinterpret_cast<const char*>(file.data()), file.size());
+    const uint32_t channels = NextWord(text) == "PF" ? 3 : 1;
+    const auto width = ToNumber<uint64_t>(NextWord(text));
+    const auto height = ToNumber<uint64_t>(NextWord(text));
+    const auto scale = ToNumber<double>(NextWord(text));
+    if (scale == 0.0 || !std::isfinite(scale))
+        throw Error("damaged PFM: its scale is {}; a number not 0 is expected", scale);
+    RequireWithin(width, height, limits);
+
+    const size_t rowSamples = width * channels;
+    if (text.size() < 1 + height * rowSamples * 4) throw CutOff(FileFormat::Pfm);
+    const uint8_t* from = file.data() + (file.size() - text.size()) + 1;  // one space ends the header
+
+    Picture picture = MakePicture(width, height, channels, SampleType::Float32);
+    for (size_t y = height; y-- > 0;) {
+        for (size_t i = 0; i < rowSamples; ++i, from += 4)
+            picture.samples[y * rowSamples + i] = std::bit_cast<float>(LoadWord(from, scale < 0.0));
+    }
+    return picture;
+}
+
+Bytes EncodePfm(const Picture& picture) {
+    const std::string header = fmt::format("{}\n{} {}\n-1.0\n", picture.channels == 3 ? "PF" : "Pf",
+                                           picture.widthTexels, picture.heightTexels);
+    Bytes file(header.begin(), header.end());
+    file.reserve(header.size() + picture.samples.size() * 4);
+    const size_t rowSamples = size_t{picture.widthTexels} * picture.channels;
+    for (size_t y = picture.heightTexels; y-- > 0;) {
+        for (size_t i = 0; i < rowSamples; ++i) {
+            const auto word = std::bit_cast<uint32_t>(picture.samples[y * rowSamples + i]);
+            for (int shift = 0; shift < 32; shift += 8)
+                file.push_back(static_cast<uint8_t>(word >> shift & 255));
+        }
+    }
+    return file;
+}
+
+}  // namespace boxcar

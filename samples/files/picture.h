@@ -1,0 +1,82 @@
+// Pictures in and out of files. This folder is the only place that knows file formats.
+//
+// Non-goals: colour management and metadata (profiles, gamma and chromaticity tags are neither used nor kept; of EXIF
+// only the rotation is), animations, EXR layers, reading part of a picture.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace boxcar {
+
+enum class SampleType { Unorm8, Unorm16, Float32 };
+enum class FileFormat { Png, Jpeg, Hdr, Exr, Pfm };
+
+// A picture in memory. Values are the file's, as they stand: v / 255, v / 65535 or the float; not linearised, colours
+// not multiplied by alpha.
+struct Picture {
+    uint32_t widthTexels = 0;
+    uint32_t heightTexels = 0;
+    uint32_t channels = 0;                    // 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA
+    SampleType stored = SampleType::Float32;  // how the file holds a sample; EXR and HDR count as Float32
+    std::vector<float> samples;               // rows top to bottom, channels interleaved
+};
+
+// What a picture may be at most; looked at in the file's header, before memory for texels is taken.
+struct PictureLimits {
+    uint32_t maxSideTexels = 16384;
+    uint64_t maxBytes = uint64_t{1} << 30;  // of width x height x 16: the picture as one RGBA32F image of a device
+};
+
+// Whether the last channel is alpha.
+bool HasAlpha(const Picture& picture);
+
+// "PNG", "JPEG", ..
+std::string_view FormatName(FileFormat format);
+
+// The format of a name's ending: .png, .jpg, .jpeg, .hdr, .exr or .pfm, in any case. Throws Error: another ending, or
+// none.
+FileFormat FormatFromName(const std::string& path);
+
+// The same for the bare word, as in `--format png`.
+FileFormat FormatFromWord(const std::string& word);
+
+// Reads a picture. The content says which format it is, not the name.
+//
+//   path    a file, or "-" for standard input
+//   format  if given, the content must be that
+//
+// PNG: all kinds; palettes and 1, 2, 4 bits become 8 bits, tRNS becomes alpha.  JPEG: grey and colour, 8 bits; turned
+// upright as EXIF says.  HDR: RGBE.  EXR: one part, not deep, scan lines or tiles (the finest level), every
+// compression; channels R G B [A], Y [A] or a single one of any name; others are left out; the picture is the data
+// window.  PFM: 1 or 3 channels, both byte orders, the scale's size unused.  Bytes after the picture are no fault.
+//
+// Throws Error, one line that begins with the path: it cannot be read, is empty, cut off, damaged, of no known
+// format, or over a limit. What is returned is a whole picture.
+Picture ReadPicture(const std::string& path, const PictureLimits& limits = {}, std::optional<FileFormat> format = {});
+
+// The same from memory; `name` stands for the path in errors.
+Picture DecodePicture(std::span<const uint8_t> file, const std::string& name, const PictureLimits& limits = {});
+
+// How `format` holds the samples of a picture that was `stored` so: PNG keeps 16 bits and makes floats 8, JPEG is 8,
+// EXR and PFM are float.
+SampleType SampleTypeFor(FileFormat format, SampleType stored);
+
+// Throws Error where WritePicture would for this format and number of channels, so that it can be known before the
+// work: HDR is not written; JPEG and PFM hold no alpha. The line begins with the path.
+void RequireWritable(const std::string& path, FileFormat format, uint32_t channels);
+
+// Writes a picture: PNG of 8 or 16 bits, JPEG (quality 95, colour not subsampled), EXR (32-bit float, ZIP, R G B [A]
+// or Y [A]), PFM (little-endian, bottom row first, 1 or 3 channels).
+//
+//   path        as of WriteFileAtomically, which says when it throws Error
+//   sampleType  PNG: Unorm8 or Unorm16; JPEG: Unorm8; EXR and PFM: Float32. Integers are clamped to [0,1] and rounded
+//   to
+//               nearest; NaN becomes 0.
+void WritePicture(const Picture& picture, const std::string& path, FileFormat format, SampleType sampleType);
+
+}  // namespace boxcar

@@ -1,0 +1,316 @@
+#include "tests/files/support.h"
+
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfIO.h>
+#include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfTiledOutputFile.h>
+#include <png.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+#include <jpeglib.h>
+
+namespace boxcar::test {
+
+TemporaryFolder::TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "boxcar_files_XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) throw Error("{}: no folder can be made", name);
+    m_path = name;
+}
+
+TemporaryFolder::~TemporaryFolder() { std::filesystem::remove_all(m_path); }
+
+std::vector<std::string> TemporaryFolder::Names() const {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(m_path)) names.push_back(entry.path().filename());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+std::string TemporaryFolder::Put(const std::string& name, ByteView bytes) const {
+    const std::string path = Path(name);
+    std::ofstream(path, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    return path;
+}
+
+Bytes Contents(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return Bytes(std::istreambuf_iterator<char>(file), {});
+}
+
+Bytes ToBytes(std::string_view text) { return Bytes(text.begin(), text.end()); }
+
+Picture PatternPicture(Size size, uint32_t channels, SampleType stored) {
+    Picture picture{size.width, size.height, channels, stored, {}};
+    const size_t count = size_t{size.width} * size.height * channels;
+    for (uint32_t i = 0; i < count; ++i) {
+        const uint32_t code = (i * 2654435761u) >> 16;  // Knuth's multiplicative hash
+        switch (stored) {
+            case SampleType::Unorm8: picture.samples.push_back(static_cast<float>(code & 255) / 255.0f); break;
+            case SampleType::Unorm16: picture.samples.push_back(static_cast<float>(code) / 65535.0f); break;
+            case SampleType::Float32: picture.samples.push_back((static_cast<float>(code) - 9999.0f) / 333.0f); break;
+        }
+    }
+    return picture;
+}
+
+Picture SmoothPicture(Size size, uint32_t channels) {
+    Picture picture{size.width, size.height, channels, SampleType::Unorm8, {}};
+    for (uint32_t y = 0; y < size.height; ++y)
+        for (uint32_t x = 0; x < size.width; ++x)
+            for (uint32_t c = 0; c < channels; ++c)
+                picture.samples.push_back(static_cast<float>(20 + 3 * x + (c + 2) * y) / 255.0f);
+    return picture;
+}
+
+Bytes MakePng(const PngFile& png) {
+    Bytes file;
+    png_structp writer = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+    png_infop info = png_create_info_struct(writer);
+    png_set_write_fn(
+        writer, &file,
+        [](png_structp self, png_bytep data, size_t count) {
+            auto* to = static_cast<Bytes*>(png_get_io_ptr(self));
+            to->insert(to->end(), data, data + count);
+        },
+        nullptr);
+    png_set_IHDR(writer, info, png.size.width, png.size.height, png.bits, png.colorType,
+                 png.interlaced ? PNG_INTERLACE_ADAM7 : PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                 PNG_FILTER_TYPE_DEFAULT);
+    if (!png.palette.empty())
+        png_set_PLTE(writer, info, reinterpret_cast<png_const_colorp>(png.palette.data()),
+                     static_cast<int>(png.palette.size() / 3));
+    if (!png.paletteAlpha.empty())
+        png_set_tRNS(writer, info, png.paletteAlpha.data(), static_cast<int>(png.paletteAlpha.size()), nullptr);
+    if (png.hasKey) {
+        const png_color_16 key = {0, png.key[0], png.key[1], png.key[2], png.key[0]};
+        png_set_tRNS(writer, info, nullptr, 0, &key);
+    }
+    const size_t rowBytes = png.codes.size() / png.size.height;
+    std::vector<png_bytep> rows;
+    for (uint32_t y = 0; y < png.size.height; ++y) rows.push_back(const_cast<png_bytep>(&png.codes[y * rowBytes]));
+    png_set_rows(writer, info, rows.data());
+    png_write_png(writer, info, PNG_TRANSFORM_IDENTITY, nullptr);
+    png_destroy_write_struct(&writer, &info);
+    return file;
+}
+
+namespace {
+
+void AppendBigEndian(Bytes& bytes, uint32_t word) {
+    for (int shift = 24; shift >= 0; shift -= 8) bytes.push_back(static_cast<uint8_t>(word >> shift & 255));
+}
+
+}  // namespace
+
+Bytes MakePng(const std::vector<PngChunk>& chunks) {
+    Bytes file = ToBytes("\x89PNG\r\n\x1a\n");
+    for (const PngChunk& chunk : chunks) {
+        Bytes body = ToBytes(chunk.type);
+        body.insert(body.end(), chunk.data.begin(), chunk.data.end());
+        AppendBigEndian(file, static_cast<uint32_t>(chunk.data.size()));
+        file.insert(file.end(), body.begin(), body.end());
+        AppendBigEndian(file, static_cast<uint32_t>(crc32(0, body.data(), static_cast<uInt>(body.size()))));
+    }
+    return file;
+}
+
+PngChunk PngHeader(uint32_t width, uint32_t height, uint8_t bits, uint8_t colorType) {
+    PngChunk header{"IHDR", {}};
+    AppendBigEndian(header.data, width);
+    AppendBigEndian(header.data, height);
+    header.data.insert(header.data.end(), {bits, colorType, 0, 0, 0});
+    return header;
+}
+
+Bytes MakeJpeg(const JpegFile& file) {
+    jpeg_compress_struct jpeg;
+    jpeg_error_mgr errors;
+    jpeg.err = jpeg_std_error(&errors);
+    jpeg_create_compress(&jpeg);
+    unsigned char* data = nullptr;
+    unsigned long size = 0;
+    jpeg_mem_dest(&jpeg, &data, &size);
+    jpeg.image_width = file.size.width;
+    jpeg.image_height = file.size.height;
+    jpeg.input_components = file.channels;
+    jpeg.in_color_space = file.channels == 1 ? JCS_GRAYSCALE : file.channels == 3 ? JCS_RGB : JCS_CMYK;
+    jpeg_set_defaults(&jpeg);
+    jpeg_set_quality(&jpeg, 95, TRUE);
+    jpeg.comp_info[0].h_samp_factor = jpeg.comp_info[0].v_samp_factor = file.chromaStep;
+    if (file.progressive) jpeg_simple_progression(&jpeg);
+    jpeg_start_compress(&jpeg, TRUE);
+    const size_t rowBytes = file.codes.size() / file.size.height;
+    while (jpeg.next_scanline < jpeg.image_height) {
+        auto* row = const_cast<JSAMPROW>(&file.codes[jpeg.next_scanline * rowBytes]);
+        jpeg_write_scanlines(&jpeg, &row, 1);
+    }
+    jpeg_finish_compress(&jpeg);
+    jpeg_destroy_compress(&jpeg);
+    Bytes bytes(data, data + size);
+    std::free(data);
+    return bytes;
+}
+
+Bytes WithOrientation(ByteView jpeg, uint8_t orientation, bool bigEndian) {
+    Bytes segment = {0xff, 0xe1, 0, 34, 'E', 'x', 'i', 'f', 0, 0};
+    const Bytes big = {'M', 'M', 0, 42, 0, 0, 0, 8, 0, 1, 0x01, 0x12, 0, 3, 0, 0, 0, 1, 0, orientation, 0, 0, 0, 0, 0, 0};
+    const Bytes little = {'I', 'I', 42, 0, 8, 0, 0, 0, 1, 0, 0x12, 0x01, 3, 0, 1, 0, 0, 0, orientation, 0, 0, 0, 0, 0, 0, 0};
+    const Bytes& tiff = bigEndian ? big : little;
+    segment.insert(segment.end(), tiff.begin(), tiff.end());
+    Bytes file(jpeg.begin(), jpeg.end());
+    file.insert(file.begin() + 2, segment.begin(), segment.end());
+    return file;
+}
+
+namespace {
+
+class BytesStream : public Imf::OStream {
+public:
+    BytesStream() : OStream("test") {}
+    void write(const char* data, int count) override {
+        const size_t end = m_at + static_cast<size_t>(count);
+        if (end > bytes.size()) bytes.resize(end);
+        std::copy(data, data + count, bytes.begin() + static_cast<ptrdiff_t>(m_at));
+        m_at = end;
+    }
+    uint64_t tellp() override { return m_at; }
+    void seekp(uint64_t at) override { m_at = at; }
+
+    Bytes bytes;
+
+private:
+    size_t m_at = 0;
+};
+
+}  // namespace
+
+Bytes MakeExr(const ExrFile& exr) {
+    const Imath::Box2i window({exr.minX, exr.minY}, {exr.minX + static_cast<int>(exr.size.width) - 1,
+                                                     exr.minY + static_cast<int>(exr.size.height) - 1});
+    Imf::Header header(window, window);
+    header.compression() = static_cast<Imf::Compression>(exr.compression);
+    Imf::FrameBuffer frame;
+    std::vector<std::vector<uint8_t>> storage;
+    for (const ExrFile::Channel& channel : exr.channels) {
+        const auto type = static_cast<Imf::PixelType>(channel.type);
+        const size_t sampleBytes = type == Imf::HALF ? 2 : 4;
+        std::vector<uint8_t>& samples = storage.emplace_back();
+        for (const float value : channel.values) {
+            const half asHalf(value);
+            const auto asUint = static_cast<unsigned>(value);
+            const void* from = type == Imf::HALF ? static_cast<const void*>(&asHalf)
+                               : type == Imf::UINT ? static_cast<const void*>(&asUint)
+                                                   : static_cast<const void*>(&value);
+            const auto* bytes = static_cast<const uint8_t*>(from);
+            samples.insert(samples.end(), bytes, bytes + sampleBytes);
+        }
+        header.channels().insert(channel.name, Imf::Channel(type, channel.sampling, channel.sampling));
+        const size_t rowSamples = exr.size.width / static_cast<size_t>(channel.sampling);
+        frame.insert(channel.name, Imf::Slice::Make(type, samples.data(), window, sampleBytes, sampleBytes * rowSamples,
+                                                    channel.sampling, channel.sampling));
+    }
+    BytesStream stream;
+    if (exr.tiled) {
+        header.setTileDescription(Imf::TileDescription(8, 8, Imf::ONE_LEVEL));
+        Imf::TiledOutputFile file(stream, header);
+        file.setFrameBuffer(frame);
+        file.writeTiles(0, file.numXTiles() - 1, 0, file.numYTiles() - 1);
+    } else {
+        Imf::OutputFile file(stream, header);
+        file.setFrameBuffer(frame);
+        file.writePixels(static_cast<int>(exr.size.height));
+    }
+    return stream.bytes;
+}
+
+Bytes MakeHdr(Size size, const std::vector<std::array<uint8_t, 4>>& texels, bool packed) {
+    Bytes file = ToBytes(fmt::format("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {} +X {}\n", size.height, size.width));
+    for (uint32_t y = 0; y < size.height; ++y) {
+        const auto* row = &texels[size_t{y} * size.width];
+        if (!packed) {
+            for (uint32_t x = 0; x < size.width; ++x) file.insert(file.end(), row[x].begin(), row[x].end());
+            continue;
+        }
+        file.insert(file.end(), {2, 2, static_cast<uint8_t>(size.width >> 8), static_cast<uint8_t>(size.width & 255)});
+        for (size_t plane = 0; plane < 4; ++plane) {
+            for (uint32_t x = 0; x < size.width;) {
+                uint32_t end = x + 1;
+                while (end < size.width && end - x < 127 && row[end][plane] == row[x][plane]) ++end;
+                const uint32_t run = end - x;
+                file.push_back(static_cast<uint8_t>(run > 1 ? 128 + run : 1));  // a run, or one sample as it stands
+                file.push_back(row[x][plane]);
+                x = end;
+            }
+        }
+    }
+    return file;
+}
+
+std::vector<NamedFile> SmallFiles() {
+    constexpr Size kSize = {12, 19};
+    const auto codes = [&](size_t count) {
+        Bytes bytes;
+        for (uint32_t i = 0; i < count; ++i) bytes.push_back(static_cast<uint8_t>(i * 2654435761u >> 24));
+        return bytes;
+    };
+    const auto pngCodes = [&](size_t samples) { return codes(samples * kSize.width * kSize.height); };
+    const auto jpegCodes = [&](uint32_t channels) {
+        Bytes bytes;
+        for (const float sample : SmoothPicture(kSize, channels).samples)
+            bytes.push_back(static_cast<uint8_t>(sample * 255.0f + 0.5f));
+        return bytes;
+    };
+    std::vector<NamedFile> files = {
+        {"grey8.png", MakePng(PngFile{kSize, PNG_COLOR_TYPE_GRAY, 8, pngCodes(1)})},
+        {"grey2.png", MakePng(PngFile{kSize, PNG_COLOR_TYPE_GRAY, 2, codes(3 * 19)})},
+        {"rgb8.png", MakePng(PngFile{kSize, PNG_COLOR_TYPE_RGB, 8, pngCodes(3)})},
+        {"rgba16.png", MakePng(PngFile{kSize, PNG_COLOR_TYPE_RGB_ALPHA, 16, pngCodes(8)})},
+        {"interlaced.png", MakePng(PngFile{kSize, PNG_COLOR_TYPE_RGB, 16, pngCodes(6), true})},
+        {"palette4.png", MakePng(PngFile{kSize, PNG_COLOR_TYPE_PALETTE, 4, codes(6 * 19), false, codes(48), codes(3)})},
+        {"grey.jpg", MakeJpeg({kSize, 1, jpegCodes(1)})},
+        {"colour.jpg", MakeJpeg({kSize, 3, jpegCodes(3)})},
+        {"chroma420.jpg", MakeJpeg({kSize, 3, jpegCodes(3), false, 2})},
+        {"progressive.jpg", MakeJpeg({kSize, 3, jpegCodes(3), true, 2})},
+        {"cmyk.jpg", MakeJpeg({kSize, 4, jpegCodes(4)})},
+        {"turned.jpg", WithOrientation(MakeJpeg({kSize, 3, jpegCodes(3)}), 6, true)},
+        {"grey.pfm", ToBytes("Pf\n2 3\n-1.0\n" + std::string(24, 'x'))},
+        {"colour.pfm", ToBytes("PF\n2 3\n1.0\n" + std::string(72, 'x'))},
+    };
+    std::vector<std::array<uint8_t, 4>> texels;
+    for (uint32_t i = 0; i < kSize.width * kSize.height; ++i)
+        texels.push_back({static_cast<uint8_t>(128 + i % 100), static_cast<uint8_t>(i / 7), 9, static_cast<uint8_t>(120 + i % 9)});
+    files.push_back({"packed.hdr", MakeHdr(kSize, texels, true)});
+    files.push_back({"flat.hdr", MakeHdr({4, 57}, texels, false)});
+
+    for (int compression = 0; compression < Imf::NUM_COMPRESSION_METHODS; ++compression) {
+        for (const bool tiled : {false, true}) {
+            ExrFile exr{kSize, {}, compression, 3, -5, tiled};
+            for (const char* name : {"R", "G", "B"})
+                exr.channels.push_back({name, Imf::HALF, SmoothPicture(kSize, 1).samples});
+            exr.channels.push_back({"A", Imf::FLOAT, SmoothPicture(kSize, 1).samples});
+            files.push_back({fmt::format("{}{}.exr", tiled ? "tiles" : "lines", compression), MakeExr(exr)});
+        }
+    }
+    return files;
+}
+
+void ExpectSame(const Picture& got, const Picture& expected) {
+    EXPECT_EQ(got.widthTexels, expected.widthTexels);
+    EXPECT_EQ(got.heightTexels, expected.heightTexels);
+    EXPECT_EQ(got.channels, expected.channels);
+    EXPECT_EQ(got.stored, expected.stored);
+    EXPECT_EQ(got.samples, expected.samples);
+}
+
+}  // namespace boxcar::test

@@ -1,0 +1,128 @@
+// What the tests of samples/files share: folders that go away, pictures with known texels, and files of kinds that Boxcar
+// reads but does not write, made with the formats' own libraries.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "samples/files/bytes.h"
+#include "samples/files/picture.h"
+#include "tools/layout/error.h"
+
+namespace boxcar::test {
+
+struct Size {
+    uint32_t width;
+    uint32_t height;
+};
+constexpr Size kSizes[] = {{1, 1}, {1, 6}, {6, 1}, {12, 19}, {49, 2}};
+
+// A new folder, removed with all that is in it.
+class TemporaryFolder {
+public:
+    TemporaryFolder();
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    std::string Path(const std::string& name) const { return (m_path / name).string(); }
+    // The names of all that is in it, sorted.
+    std::vector<std::string> Names() const;
+    // Writes a file and returns its path.
+    std::string Put(const std::string& name, ByteView bytes) const;
+
+private:
+    std::filesystem::path m_path;
+};
+
+Bytes Contents(const std::string& path);
+Bytes ToBytes(std::string_view text);
+
+// The text of the boxcar::Error that `work` throws; a failure of the test where it throws none.
+template <typename Work>
+std::string ErrorOf(Work work) {
+    try {
+        work();
+    } catch (const Error& error) {
+        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+        return error.what();
+    }
+    ADD_FAILURE() << "no Error was thrown";
+    return {};
+}
+
+// A picture without symmetry: neighbours in every direction differ. Integers take codes from all of their range; floats
+// go below 0 and above 1.
+Picture PatternPicture(Size size, uint32_t channels, SampleType stored);
+
+// Slow ramps, as JPEG keeps them.
+Picture SmoothPicture(Size size, uint32_t channels);
+
+// One file in bytes; `codes` are rows top to bottom, packed as PNG packs them, 16 bits big-endian.
+struct PngFile {
+    Size size;
+    int colorType;  // PNG_COLOR_TYPE_..
+    int bits;
+    Bytes codes;
+    bool interlaced = false;
+    Bytes palette = {};       // RGB triples
+    Bytes paletteAlpha = {};  // tRNS of a palette
+    bool hasKey = false;      // tRNS otherwise: texels with the codes `key` are clear
+    uint16_t key[3] = {};
+};
+Bytes MakePng(const PngFile& png);
+
+// PNG by hand: chunks with right checksums, whatever they hold.
+struct PngChunk {
+    std::string type;
+    Bytes data;
+};
+Bytes MakePng(const std::vector<PngChunk>& chunks);
+PngChunk PngHeader(uint32_t width, uint32_t height, uint8_t bits, uint8_t colorType);
+
+struct JpegFile {
+    Size size;
+    int channels;  // 1 grey, 3 RGB, 4 CMYK as Adobe writes it (inverted)
+    Bytes codes;
+    bool progressive = false;
+    int chromaStep = 1;  // 2: 4:2:0
+};
+Bytes MakeJpeg(const JpegFile& jpeg);
+
+// `jpeg` with an EXIF segment in front that holds the orientation; bigEndian is its byte order.
+Bytes WithOrientation(ByteView jpeg, uint8_t orientation, bool bigEndian);
+
+struct ExrFile {
+    struct Channel {
+        std::string name;
+        int type;  // Imf::PixelType; `values` are converted to it
+        std::vector<float> values;
+        int sampling = 1;
+    };
+    Size size;
+    std::vector<Channel> channels;
+    int compression = 3;  // Imf::Compression; ZIP
+    int minX = 0;         // of the data window
+    int minY = 0;
+    bool tiled = false;
+};
+Bytes MakeExr(const ExrFile& exr);
+
+// A file of RGBE texels, run-length packed as Radiance does where `packed`.
+Bytes MakeHdr(Size size, const std::vector<std::array<uint8_t, 4>>& texels, bool packed);
+
+// Whole files of every kind, small, to cut and to damage.
+struct NamedFile {
+    std::string name;
+    Bytes bytes;
+};
+std::vector<NamedFile> SmallFiles();
+
+void ExpectSame(const Picture& got, const Picture& expected);
+
+}  // namespace boxcar::test

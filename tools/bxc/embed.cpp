@@ -1,0 +1,90 @@
+#include "tools/bxc/embed.h"
+
+#include "tools/bxc/write.h"
+#include "tools/layout/error.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+namespace boxcar {
+namespace {
+
+constexpr const char* kHeader = R"(// Made by bxc.
+#pragma once
+
+#include "tools/layout/shader_layout.h"
+
+#include <span>
+#include <string_view>
+
+namespace boxcar::{0} {{
+
+// Every shader, in the order of the manifest.
+std::span<const EmbeddedShader> All();
+
+// The shader of this name, such as "{1}". Throws Error naming those that there are.
+const EmbeddedShader& Find(std::string_view name);
+
+}}  // namespace boxcar::{0}
+)";
+
+constexpr const char* kSource = R"(// Made by bxc.
+#include "{0}.h"
+
+#include "tools/layout/error.h"
+
+#include <cstdint>
+
+namespace boxcar::{0} {{
+namespace {{
+
+{1}const EmbeddedShader kShaders[] = {{
+{2}}};
+
+}}  // namespace
+
+std::span<const EmbeddedShader> All() {{ return kShaders; }}
+
+const EmbeddedShader& Find(std::string_view name) {{
+    for (const EmbeddedShader& shader : kShaders)
+        if (shader.name == name) return shader;
+    std::string names;
+    for (const EmbeddedShader& shader : kShaders) names.append(names.empty() ? "" : ", ").append(shader.name);
+    throw Error("{0}: no shader is named '{{}}'; there are: {{}}", name, names);
+}}
+
+}}  // namespace boxcar::{0}
+)";
+
+std::string ReadFile(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw Error("cannot read '{}': {}", path, std::strerror(errno));
+    std::ostringstream bytes;
+    bytes << file.rdbuf();
+    return bytes.str();
+}
+
+}  // namespace
+
+void WriteEmbedded(const std::vector<ShaderJob>& jobs, const std::string& dir, const std::string& name) {
+    std::string words, table;
+    for (size_t i = 0; i < jobs.size(); ++i) {
+        const OutputFiles files = FilesOf(jobs[i]);
+        const std::string bytes = ReadFile(files.spirv);
+        words += fmt::format("// {}\nconst uint32_t kSpirv{}[] = {{", jobs[i].options.output, i);
+        for (size_t at = 0; at + sizeof(uint32_t) <= bytes.size(); at += sizeof(uint32_t)) {
+            uint32_t word;
+            std::memcpy(&word, &bytes[at], sizeof word);
+            words += fmt::format("{}{:#x},", at % 32 == 0 ? "\n" : "", word);
+        }
+        words += fmt::format("\n}};\nconst char kLayout{}[] = R\"json({})json\";\n\n", i, ReadFile(files.layout));
+        table += fmt::format("    {{\"{}\", kSpirv{}, kLayout{}}},\n", jobs[i].options.output, i, i);
+    }
+    const std::string example = jobs.empty() ? "" : jobs[0].options.output;
+    WriteFileIfChanged(dir + "/" + name + ".h", fmt::format(kHeader, name, example));
+    WriteFileIfChanged(dir + "/" + name + ".cpp", fmt::format(kSource, name, words, table));
+}
+
+}  // namespace boxcar

@@ -1,0 +1,158 @@
+// bxc: HLSL text -> SPIR-V that is proven valid, its layout and its dependencies. Read from the top: this is all it
+// does.
+//
+// Non-goals: a preprocessor, linker or optimiser of its own; geometry, hull and ray stages; Direct3D bytecode.
+#include "tools/bxc/compiler.h"
+#include "tools/bxc/embed.h"
+#include "tools/bxc/manifest.h"
+#include "tools/bxc/optimize.h"
+#include "tools/bxc/options.h"
+#include "tools/bxc/reflect.h"
+#include "tools/bxc/report.h"
+#include "tools/bxc/rules.h"
+#include "tools/bxc/source.h"
+#include "tools/bxc/validate.h"
+#include "tools/bxc/version.h"
+#include "tools/bxc/workers.h"
+#include "tools/bxc/write.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <optional>
+#include <set>
+
+namespace boxcar {
+namespace {
+
+// The vertex shader that --after names, with the macros and folders of the pixel shader.
+std::optional<CompiledShader> CompilePartner(Compiler& compiler, const CompileOptions& options, Source& source,
+                                             Diagnostics& diagnostics) {
+    if (options.after.empty()) return std::nullopt;
+    CompileOptions partner = options;
+    partner.file = options.after;
+    partner.stage = ShaderStage::Vertex;
+    partner.entry = "main";
+    return compiler.Compile(partner, source, diagnostics);
+}
+
+// One shader through every stage. Runs in a worker process; a stage that finds an error is the last.
+CompileResult CompileShader(Compiler& compiler, const ShaderJob& job) {
+    const CompileOptions& options = job.options;
+    CompileResult result;
+    Diagnostics& diagnostics = result.diagnostics;
+    const auto failed = [&] {
+        for (Diagnostic& diagnostic : diagnostics)
+            if (options.warningsAreErrors) diagnostic.severity = Severity::Error;
+        return HasErrors(diagnostics);
+    };
+
+    Source source(job.root, options.includeDirs);
+    const CompiledShader shader = compiler.Compile(options, source, diagnostics);
+    const std::optional<CompiledShader> partner = CompilePartner(compiler, options, source, diagnostics);
+    result.dependencies = source.Names();
+    if (failed()) return result;
+
+    CheckRules({shader, partner ? &*partner : nullptr}, diagnostics);
+    if (partner) CheckRules({*partner}, diagnostics);
+    if (failed()) return result;
+
+    Validate(shader.spirv, ValidationStep::BeforeLegalization, options.file, diagnostics);
+    if (failed()) return result;
+
+    std::vector<uint32_t> spirv = Optimize(shader.spirv, options.optimization, options.file, diagnostics);
+    if (failed()) return result;
+
+    Validate(spirv, ValidationStep::Final, options.file, diagnostics);
+    if (failed()) return result;
+
+    result.layout = Reflect(spirv, shader, diagnostics);
+    if (failed()) return result;
+
+    result.spirv = std::move(spirv);
+    return result;
+}
+
+// Compiles the jobs in workers, writes what they make and says what they say. Returns how many failed.
+size_t CompileJobs(const std::vector<ShaderJob>& jobs, const WorkerLimits& limits, Report& report) {
+    const FileTime started = Now();
+    size_t done = 0, failed = 0;
+    CompileAll(jobs, limits, [&](const ShaderJob& job, const CompileResult& result) {
+        report.Add(result.diagnostics, job.root);
+        if (HasErrors(result.diagnostics)) {
+            RemoveOutputs(job);
+            ++failed;
+        } else {
+            WriteOutputs(job, result, started);
+        }
+        report.Progress(++done, jobs.size(), job.options.output);
+    });
+    return failed;
+}
+
+bool CompileOne(const Options& options) {
+    const ShaderJob job{"", options.compile, options.compile.output, 0};
+    Report report;
+    return CompileJobs({job}, {1, options.timeoutSeconds, options.maxMemoryMib}, report) == 0;
+}
+
+// What the whole build depends on; its target is the file that --embed writes, or else the output folder.
+void WriteBuildDepfile(const std::vector<ShaderJob>& jobs, const Options& options) {
+    std::set<std::string> dependencies = {options.manifest};
+    for (const ShaderJob& job : jobs)
+        dependencies.merge(DependenciesOf(job));
+    const std::string target =
+        options.embed.empty() ? options.outputDir : options.outputDir + "/" + options.embed + ".cpp";
+    WriteFile(options.depfile, DepfileText("", target, dependencies));
+}
+
+bool Build(const Options& options) {
+    Report report;
+    Diagnostics diagnostics;
+    const std::vector<ShaderJob> jobs = ReadManifest(options.manifest, options.outputDir, diagnostics);
+    report.Add(diagnostics, "");
+    if (HasErrors(diagnostics)) return false;
+
+    std::vector<ShaderJob> outOfDate;
+    std::ranges::copy_if(jobs, std::back_inserter(outOfDate), [](const ShaderJob& job) { return !IsUpToDate(job); });
+    const size_t failed =
+        CompileJobs(outOfDate, {options.jobs, options.timeoutSeconds, options.maxMemoryMib}, report);
+
+    if (failed == 0 && !options.embed.empty()) WriteEmbedded(jobs, options.outputDir, options.embed);
+    if (failed == 0 && !options.depfile.empty()) WriteBuildDepfile(jobs, options);
+    report.Summary(outOfDate.size() - failed, jobs.size() - outOfDate.size(), failed);
+    return failed == 0;
+}
+
+int Run(const Options& options) {
+    switch (options.command) {
+        case Command::Compile: return CompileOne(options) ? 0 : 1;
+        case Command::Build: return Build(options) ? 0 : 1;
+        case Command::Worker: {
+            const std::unique_ptr<Compiler> compiler = MakeCompiler();
+            RunWorker([&](const ShaderJob& job) { return CompileShader(*compiler, job); });
+            return 0;
+        }
+        case Command::Help: fmt::print("{}", options.help); return 0;
+        case Command::Version: fmt::print("bxc {} ({})\n", Version(), CompilerVersion()); return 0;
+    }
+    return 2;
+}
+
+}  // namespace
+}  // namespace boxcar
+
+int main(int argc, char** argv) try {
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    const int exitCode = boxcar::Run(boxcar::ParseOptions(words));
+    if (std::fflush(stdout) != 0) throw boxcar::Error("cannot write to stdout: {}", std::strerror(errno));
+    return exitCode;
+} catch (const boxcar::UsageError& error) {
+    fmt::print(stderr, "bxc: {}\nTry bxc --help\n", error.what());
+    return 2;
+} catch (const std::exception& error) {
+    fmt::print(stderr, "bxc: {}\n", error.what());
+    return 1;
+}

@@ -1,0 +1,18 @@
+// Makes SPIR-V legal for Vulkan, and fast. Here SPIRV-Tools does.
+#pragma once
+
+#include "tools/bxc/diagnostic.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace boxcar {
+
+// level  0: what HLSL needs to become legal SPIR-V, nothing more. 1: also smaller. 2: also faster. 3: also with loops
+//        unrolled where the HLSL says [unroll].
+// Appends what the optimiser says to `diagnostics`, about `file`; returns nothing if it fails.
+std::vector<uint32_t> Optimize(const std::vector<uint32_t>& spirv, int level, const std::string& file,
+                               Diagnostics& diagnostics);
+
+}  // namespace boxcar

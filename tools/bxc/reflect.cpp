@@ -1,0 +1,132 @@
+#include "tools/bxc/reflect.h"
+
+#include <spirv_cross.hpp>
+
+#include <algorithm>
+#include <tuple>
+
+namespace boxcar {
+namespace {
+
+using spirv_cross::SPIRType;
+
+// "float3", "uint": what one location holds, as HLSL names it.
+std::string TypeName(const SPIRType& type) {
+    const char* scalar = type.basetype == SPIRType::Int      ? "int"
+                         : type.basetype == SPIRType::UInt   ? "uint"
+                         : type.basetype == SPIRType::Double ? "double"
+                                                             : "float";
+    return type.vecsize > 1 ? fmt::format("{}{}", scalar, type.vecsize) : scalar;
+}
+
+void AddMembers(const spirv_cross::Compiler& module, const SPIRType& type, const std::string& prefix,
+                uint32_t offsetBytes, std::vector<LayoutMember>& members) {
+    for (uint32_t i = 0; i < type.member_types.size(); ++i) {
+        const SPIRType& member = module.get_type(type.member_types[i]);
+        const std::string name = prefix + module.get_member_name(type.self, i);
+        const uint32_t offset = offsetBytes + module.type_struct_member_offset(type, i);
+        if (member.basetype == SPIRType::Struct && member.array.empty())
+            AddMembers(module, member, name + ".", offset, members);
+        else
+            members.push_back({name, offset, static_cast<uint32_t>(module.get_declared_struct_member_size(type, i))});
+    }
+}
+
+uint32_t CountOf(const SPIRType& type) {
+    uint32_t count = 1;
+    for (const uint32_t length : type.array)
+        count *= length;
+    return count;
+}
+
+LayoutResource MakeResource(const spirv_cross::Compiler& module, const spirv_cross::Resource& resource,
+                            ResourceKind kind) {
+    const SPIRType& type = module.get_type(resource.type_id);
+    const SPIRType& base = module.get_type(resource.base_type_id);
+    const bool isBlock = kind == ResourceKind::ConstantBuffer || kind == ResourceKind::PushConstants;
+    LayoutResource result;
+    const spirv_cross::ID named = isBlock ? spirv_cross::ID(resource.base_type_id) : resource.id;
+    result.name = module.get_name(named);
+    result.kind = kind;
+    if (kind != ResourceKind::PushConstants) {
+        result.set = module.get_decoration(resource.id, spv::DecorationDescriptorSet);
+        result.binding = module.get_decoration(resource.id, spv::DecorationBinding);
+    }
+    result.count = CountOf(type);
+    if (base.basetype == SPIRType::Image && base.image.dim == spv::DimBuffer) result.kind = ResourceKind::TexelBuffer;
+    if (isBlock) {
+        result.sizeBytes = static_cast<uint32_t>(module.get_declared_struct_size(base));
+        AddMembers(module, base, "", 0, result.members);
+    }
+    return result;
+}
+
+std::vector<LayoutVariable> MakeVariables(const spirv_cross::Compiler& module,
+                                          const spirv_cross::SmallVector<spirv_cross::Resource>& resources,
+                                          const std::vector<DeclaredVariable>& declared) {
+    std::vector<LayoutVariable> variables;
+    for (const spirv_cross::Resource& resource : resources) {
+        const SPIRType& type = module.get_type(resource.type_id);
+        LayoutVariable variable;
+        variable.location = module.get_decoration(resource.id, spv::DecorationLocation);
+        variable.locationCount = CountOf(type) * std::max(type.columns, 1u);
+        variable.type = TypeName(type);
+        const auto source = std::ranges::find_if(declared, [&](const DeclaredVariable& candidate) {
+            return !candidate.builtIn && candidate.location == variable.location;
+        });
+        variable.name = source != declared.end() ? source->name : module.get_name(resource.id);
+        variable.semantic = source != declared.end() ? source->semantic : "";
+        variables.push_back(std::move(variable));
+    }
+    std::ranges::sort(variables, {}, &LayoutVariable::location);
+    return variables;
+}
+
+ShaderLayout MakeLayout(const std::vector<uint32_t>& spirv, const CompiledShader& declared) {
+    const spirv_cross::Compiler module(spirv);
+    const spirv_cross::ShaderResources found = module.get_shader_resources();
+
+    ShaderLayout layout;
+    layout.source = declared.file;
+    layout.entry = declared.entry;
+    layout.stage = declared.stage;
+
+    const auto add = [&](const auto& resources, ResourceKind kind) {
+        for (const spirv_cross::Resource& resource : resources)
+            layout.resources.push_back(MakeResource(module, resource, kind));
+    };
+    add(found.uniform_buffers, ResourceKind::ConstantBuffer);
+    add(found.push_constant_buffers, ResourceKind::PushConstants);
+    add(found.separate_images, ResourceKind::Texture);
+    add(found.separate_samplers, ResourceKind::Sampler);
+    add(found.storage_images, ResourceKind::StorageImage);
+    add(found.storage_buffers, ResourceKind::StorageBuffer);
+    add(found.sampled_images, ResourceKind::CombinedImageSampler);
+    std::ranges::sort(layout.resources, {}, [](const LayoutResource& resource) {
+        return std::tie(resource.set, resource.binding, resource.name);
+    });
+
+    layout.inputs = MakeVariables(module, found.stage_inputs, declared.inputs);
+    layout.outputs = MakeVariables(module, found.stage_outputs, declared.outputs);
+    layout.writesPosition =
+        declared.stage == ShaderStage::Vertex && std::ranges::any_of(found.builtin_outputs, [](const auto& output) {
+            return output.builtin == spv::BuiltInPosition;
+        });
+    if (declared.stage == ShaderStage::Compute)
+        for (uint32_t i = 0; i < 3; ++i)
+            layout.threadGroup[i] = module.get_execution_mode_argument(spv::ExecutionModeLocalSize, i);
+    return layout;
+}
+
+}  // namespace
+
+ShaderLayout Reflect(const std::vector<uint32_t>& spirv, const CompiledShader& declared, Diagnostics& diagnostics) {
+    try {
+        return MakeLayout(spirv, declared);
+    } catch (const spirv_cross::CompilerError& error) {
+        diagnostics.push_back({{declared.file, 0, 0}, Severity::Error, fmt::format("no layout: {}", error.what())});
+        return {};
+    }
+}
+
+}  // namespace boxcar

@@ -1,0 +1,32 @@
+// Tells the user: each message once, on stderr, as it comes; one line on stdout at the end of a build.
+#pragma once
+
+#include "tools/bxc/diagnostic.h"
+
+#include <cstddef>
+#include <set>
+#include <string>
+
+namespace boxcar {
+
+class Report {
+public:
+    ~Report() { ClearProgress(); }
+
+    // Prints those that have not been printed before. Names in them are relative to `root`.
+    void Add(const Diagnostics& diagnostics, const std::string& root);
+
+    // Shows how far a build is, on a terminal only.
+    void Progress(size_t done, size_t total, const std::string& name);
+
+    // "bxc: 12 shaders: 3 compiled, 9 up to date"
+    void Summary(size_t compiled, size_t upToDate, size_t failed);
+
+private:
+    void ClearProgress();
+
+    std::set<std::string> m_told;
+    bool m_progressShown = false;
+};
+
+}  // namespace boxcar

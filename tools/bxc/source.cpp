@@ -1,0 +1,120 @@
+#include "tools/bxc/source.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace boxcar {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr size_t kMaxFileBytes = 16 << 20;
+constexpr size_t kMaxIncludeDepth = 64;
+
+bool ReadText(const fs::path& path, std::string& text, std::string& error) {
+    std::error_code none;
+    if (fs::is_directory(path, none)) {
+        error = "it is a directory";
+        return false;
+    }
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream) {
+        error = std::strerror(errno);
+        return false;
+    }
+    // One byte more than is accepted, so that a device or a pipe without an end is noticed too.
+    text.resize(kMaxFileBytes + 1);
+    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<size_t>(stream.gcount()));
+    if (stream.bad())
+        error = std::strerror(errno);
+    else if (text.size() > kMaxFileBytes)
+        error = fmt::format("it is longer than {} MiB", kMaxFileBytes >> 20);
+    else if (const size_t zero = text.find('\0'); zero != std::string::npos)
+        error = fmt::format("it is not text: byte {} is 0", zero);
+    return error.empty();
+}
+
+// Position of `word` in `text` as a whole word, or npos.
+size_t FindWord(std::string_view text, std::string_view word) {
+    if (word.empty()) return std::string_view::npos;
+    for (size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
+        const bool startsInside = at > 0 && IsWordChar(word.front()) && IsWordChar(text[at - 1]);
+        const size_t end = at + word.size();
+        const bool endsInside = end < text.size() && IsWordChar(word.back()) && IsWordChar(text[end]);
+        if (!startsInside && !endsInside) return at;
+    }
+    return std::string_view::npos;
+}
+
+}  // namespace
+
+bool IsWordChar(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+}
+
+Source::Source(std::string root, std::vector<std::string> includeDirs)
+    : m_root(std::move(root)), m_includeDirs(std::move(includeDirs)) {
+    m_includeDirs.push_back("");
+}
+
+const Source::File* Source::Open(std::string_view name, std::string& error) {
+    const std::string normal = fs::path(name).lexically_normal().generic_string();
+    if (const auto known = m_files.find(normal); known != m_files.end()) return &known->second;
+
+    std::string text;
+    error.clear();
+    if (!ReadText(fs::path(m_root) / normal, text, error)) {
+        error = fmt::format("cannot read '{}': {}", normal, error);
+        return nullptr;
+    }
+    m_names.push_back(normal);
+    return &m_files.emplace(normal, File{normal, std::move(text)}).first->second;
+}
+
+const Source::File* Source::Include(std::string_view header, std::string_view includer, size_t depth,
+                                    std::string& error) {
+    if (depth > kMaxIncludeDepth) {
+        error = fmt::format("includes are nested more than {} deep: does a file include itself?", kMaxIncludeDepth);
+        return nullptr;
+    }
+    std::vector<std::string> folders = {fs::path(includer).parent_path().generic_string()};
+    folders.insert(folders.end(), m_includeDirs.begin(), m_includeDirs.end());
+
+    std::string searched;
+    for (const std::string& folder : folders) {
+        const std::string name = (fs::path(folder) / header).generic_string();
+        std::error_code none;
+        if (fs::exists(fs::path(m_root) / name, none)) return Open(name, error);
+        const std::string shown = folder.empty() ? "." : folder;
+        if (fmt::format(", {},", searched).find(fmt::format(", {},", shown)) == std::string::npos)
+            searched += (searched.empty() ? "" : ", ") + shown;
+    }
+    error = fmt::format("cannot find '{}'; searched: {}", header, searched);
+    return nullptr;
+}
+
+std::string_view Source::Line(std::string_view name, int line) const {
+    const auto file = m_files.find(name);
+    if (file == m_files.end()) return {};
+    std::string_view text = file->second.text;
+    for (; line > 1; --line) {
+        const size_t end = text.find('\n');
+        if (end == std::string_view::npos) return {};
+        text.remove_prefix(end + 1);
+    }
+    return text.substr(0, text.find('\n'));
+}
+
+SourcePlace Source::PlaceOf(std::string_view name, int line, std::string_view word) const {
+    const size_t at = FindWord(Line(name, line), word);
+    return {std::string(name), line, at == std::string_view::npos ? 0 : static_cast<int>(at) + 1};
+}
+
+}  // namespace boxcar

@@ -1,0 +1,39 @@
+// Runs compiles in processes of their own, so that a compiler which crashes, hangs or devours the memory takes one
+// shader with it and not the build.
+#pragma once
+
+#include "tools/bxc/diagnostic.h"
+#include "tools/bxc/manifest.h"
+#include "tools/layout/shader_layout.h"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace boxcar {
+
+// What comes back from the compile of one shader. File names are relative to the job's root.
+struct CompileResult {
+    Diagnostics diagnostics;
+    std::vector<std::string> dependencies;  // every file that was read
+    std::vector<uint32_t> spirv;            // empty if there were errors
+    ShaderLayout layout;
+};
+
+struct WorkerLimits {
+    int workers = 0;          // processes at a time; 0 is one a core
+    int timeoutSeconds = 60;  // of one shader
+    int maxMemoryMib = 1024;  // resident size of one worker
+};
+
+// Compiles all jobs and calls `done` for each, in the order of the jobs. A worker that dies or breaks a limit is
+// replaced, and its shader gets one error that says so. Throws Error if no process can be started.
+void CompileAll(const std::vector<ShaderJob>& jobs, const WorkerLimits& limits,
+                const std::function<void(const ShaderJob&, CompileResult)>& done);
+
+// The other side: `bxc worker`, which CompileAll starts. Takes jobs from stdin and answers on stdout, a line of JSON
+// each, until stdin ends.
+void RunWorker(const std::function<CompileResult(const ShaderJob&)>& compile);
+
+}  // namespace boxcar

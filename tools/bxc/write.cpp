@@ -1,0 +1,187 @@
+#include "tools/bxc/write.h"
+
+#include "tools/bxc/compiler.h"
+#include "tools/bxc/version.h"
+#include "tools/layout/error.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace boxcar {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool IsDevice(const std::string& path) {
+    std::error_code none;
+    const fs::file_status status = fs::status(path, none);
+    return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+// A file that exists under a temporary name until Commit().
+class PendingFile {
+public:
+    PendingFile(const std::string& path, std::string_view bytes)
+        : m_path(path), m_temporary(IsDevice(path) ? "" : fmt::format("{}.tmp{}", path, getpid())) {
+        std::error_code none;
+        if (const fs::path folder = fs::path(path).parent_path(); !folder.empty())
+            fs::create_directories(folder, none);
+        std::FILE* file = std::fopen(m_temporary.empty() ? path.c_str() : m_temporary.c_str(), "wb");
+        if (!file) Fail(errno);
+        const size_t written = std::fwrite(bytes.data(), 1, bytes.size(), file);
+        const int writeError = errno;
+        const bool closed = std::fclose(file) == 0;
+        if (written < bytes.size() || !closed) Fail(written < bytes.size() ? writeError : errno);
+    }
+
+    ~PendingFile() {
+        if (!m_temporary.empty()) unlink(m_temporary.c_str());
+    }
+    PendingFile(const PendingFile&) = delete;
+    PendingFile& operator=(const PendingFile&) = delete;
+
+    void Commit() {
+        if (!m_temporary.empty() && std::rename(m_temporary.c_str(), m_path.c_str()) != 0) Fail(errno);
+        m_temporary.clear();
+    }
+
+private:
+    [[noreturn]] void Fail(int error) {
+        if (!m_temporary.empty()) unlink(m_temporary.c_str());
+        throw Error("cannot write '{}': {}", m_path, std::strerror(error));
+    }
+
+    std::string m_path;
+    std::string m_temporary;
+};
+
+std::string ReadFile(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+FileTime ModifiedAt(const std::string& path) {
+    struct stat status;
+    if (stat(path.c_str(), &status) != 0) return {-1};
+    return {status.st_mtim.tv_sec * 1'000'000'000LL + status.st_mtim.tv_nsec};
+}
+
+// Two outputs with the same record were made alike.
+std::string RecordOf(const ShaderJob& job) {
+    const std::string file = (fs::path(job.root) / job.options.file).lexically_normal().generic_string();
+    return fmt::format("# bxc {}, {}: {} {}", Version(), CompilerVersion(), file, ToText(job.options));
+}
+
+}  // namespace
+
+OutputFiles FilesOf(const ShaderJob& job) {
+    std::string base = job.output;
+    if (base.ends_with(".spv")) base.resize(base.size() - 4);
+    return {job.output, base + ".layout.json", base + ".d"};
+}
+
+FileTime Now() {
+    timespec now;
+    clock_gettime(CLOCK_REALTIME_COARSE, &now);
+    return {now.tv_sec * 1'000'000'000LL + now.tv_nsec};
+}
+
+std::set<std::string> DependenciesOf(const ShaderJob& job) {
+    const std::string text = ReadFile(FilesOf(job).depfile);
+    std::set<std::string> names;
+    // One name a line, after a line that names the target.
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with("  ")) continue;
+        if (line.ends_with(" \\")) line.resize(line.size() - 2);
+        std::string name;
+        for (size_t i = 2; i < line.size(); ++i) {
+            if (line[i] == '\\' && i + 1 < line.size() && (line[i + 1] == ' ' || line[i + 1] == '#')) ++i;
+            if (line[i] == '$' && i + 1 < line.size() && line[i + 1] == '$') ++i;
+            name += line[i];
+        }
+        names.insert(name);
+    }
+    return names;
+}
+
+std::string DepfileText(const std::string& comment, const std::string& target,
+                        const std::set<std::string>& dependencies) {
+    const auto escaped = [](const std::string& name) {
+        std::string text;
+        for (const char c : name) {
+            if (c == ' ' || c == '#') text += '\\';
+            if (c == '$') text += '$';
+            text += c;
+        }
+        return text;
+    };
+    std::string text = comment.empty() ? "" : comment + "\n";
+    text += escaped(target) + ":";
+    for (const std::string& dependency : dependencies)
+        text += " \\\n  " + escaped(dependency);
+    return text + "\n";
+}
+
+bool IsUpToDate(const ShaderJob& job) {
+    const OutputFiles files = FilesOf(job);
+    if (!fs::exists(files.spirv) || !fs::exists(files.layout) || !fs::exists(files.depfile)) return false;
+    if (!ReadFile(files.depfile).starts_with(RecordOf(job) + "\n")) return false;
+
+    std::set<std::string> dependencies = DependenciesOf(job);
+    dependencies.insert("/proc/self/exe");
+    const FileTime made = ModifiedAt(files.depfile);
+    return std::ranges::all_of(dependencies, [&](const std::string& name) {
+        const FileTime modified = ModifiedAt(name);
+        return modified.nanoseconds >= 0 && modified.nanoseconds <= made.nanoseconds;
+    });
+}
+
+void WriteOutputs(const ShaderJob& job, const CompileResult& result, FileTime started) {
+    const OutputFiles files = FilesOf(job);
+    const std::string_view spirvBytes(reinterpret_cast<const char*>(result.spirv.data()),
+                                      result.spirv.size() * sizeof(uint32_t));
+    PendingFile spirv(files.spirv, spirvBytes);
+    if (IsDevice(files.spirv)) return;
+
+    std::set<std::string> dependencies;
+    for (const std::string& name : result.dependencies)
+        dependencies.insert((fs::path(job.root) / name).lexically_normal().generic_string());
+    PendingFile layout(files.layout, ShaderLayoutToJson(result.layout));
+    PendingFile depfile(files.depfile, DepfileText(RecordOf(job), files.spirv, dependencies));
+    spirv.Commit();
+    layout.Commit();
+    depfile.Commit();
+
+    const timespec stamp = {started.nanoseconds / 1'000'000'000, started.nanoseconds % 1'000'000'000};
+    const timespec times[2] = {stamp, stamp};
+    utimensat(AT_FDCWD, files.depfile.c_str(), times, 0);
+}
+
+void RemoveOutputs(const ShaderJob& job) {
+    const OutputFiles files = FilesOf(job);
+    if (IsDevice(files.spirv)) return;
+    for (const std::string& file : {files.depfile, files.layout, files.spirv})
+        unlink(file.c_str());
+}
+
+void WriteFile(const std::string& path, std::string_view bytes) {
+    PendingFile(path, bytes).Commit();
+}
+
+void WriteFileIfChanged(const std::string& path, std::string_view bytes) {
+    if (!fs::is_regular_file(path) || ReadFile(path) != bytes) WriteFile(path, bytes);
+}
+
+}  // namespace boxcar

@@ -1,0 +1,51 @@
+// Files out: all that belongs to one shader at once, or none of it. And whether they need writing at all.
+#pragma once
+
+#include "tools/bxc/workers.h"
+
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace boxcar {
+
+// OUT.spv, OUT.layout.json and OUT.d of an output named OUT.spv.
+struct OutputFiles {
+    std::string spirv;
+    std::string layout;
+    std::string depfile;
+};
+OutputFiles FilesOf(const ShaderJob& job);
+
+// The time by the clock that stamps files.
+struct FileTime {
+    long long nanoseconds = 0;
+};
+FileTime Now();
+
+// True if all three files are there, were made by this program with the same flags, and nothing they depend on has
+// changed since.
+bool IsUpToDate(const ShaderJob& job);
+
+// Writes the three files under temporary names, then gives them their own: they are complete or unchanged. A device
+// such as /dev/stdout gets the SPIR-V only. The depfile is stamped with `started`, the time before anything was read,
+// so that a file which was edited meanwhile counts as changed. Throws Error naming the file that cannot be written.
+void WriteOutputs(const ShaderJob& job, const CompileResult& result, FileTime started);
+
+// A shader that failed leaves nothing behind that could pass for it.
+void RemoveOutputs(const ShaderJob& job);
+
+// The names of the files that an up-to-date shader depends on, as in its depfile.
+std::set<std::string> DependenciesOf(const ShaderJob& job);
+
+// A file in make's format: `target` depends on `dependencies`. `comment` is its first line if it is not empty.
+std::string DepfileText(const std::string& comment, const std::string& target,
+                        const std::set<std::string>& dependencies);
+
+// Writes `bytes` under a temporary name, then renames. Creates folders. Throws Error.
+void WriteFile(const std::string& path, std::string_view bytes);
+
+// The same, but leaves a file that already has these bytes untouched.
+void WriteFileIfChanged(const std::string& path, std::string_view bytes);
+
+}  // namespace boxcar
