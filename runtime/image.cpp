@@ -10,6 +10,12 @@ std::string Size(Extent2D extent) { return fmt::format("{} x {}", extent.widthTe
 
 double MiB(uint64_t bytes) { return static_cast<double>(bytes) / (1 << 20); }
 
+void RequireFits(const ImageDesc& desc, uint64_t bytes, const DeviceLimits& limits) {
+    if (bytes > limits.maxImageBytes)
+        throw Error("image '{}' of {} texels ({}) takes {:.0f} MiB: the device gives one image at most {:.0f} MiB",
+                    desc.name, Size(desc.extent), FormatName(desc.format), MiB(bytes), MiB(limits.maxImageBytes));
+}
+
 vk::ImageUsageFlags Usage(const Device::Impl& device, Format format) {
     using Feature = vk::FormatFeatureFlagBits;
     using Use = vk::ImageUsageFlagBits;
@@ -34,6 +40,7 @@ Image::Image(Device& device, const ImageDesc& desc) : m_impl(new Impl) {
     if (width > limits.maxSideTexels || height > limits.maxSideTexels)
         throw Error("image '{}' of {} texels: the device takes at most {} a side", desc.name, Size(desc.extent),
                     limits.maxSideTexels);
+    RequireFits(desc, desc.extent.Texels() * BytesPerTexel(desc.format), limits);
 
     vk::ImageCreateInfo info;
     info.imageType = vk::ImageType::e2D;
@@ -45,9 +52,7 @@ Image::Image(Device& device, const ImageDesc& desc) : m_impl(new Impl) {
     i.image = *i.ownImage;
 
     const vk::MemoryRequirements needs = i.ownImage.getMemoryRequirements();
-    if (needs.size > limits.maxImageBytes)
-        throw Error("image '{}' of {} texels ({}) takes {:.0f} MiB: the device gives one image at most {:.0f} MiB",
-                    desc.name, Size(desc.extent), FormatName(desc.format), MiB(needs.size), MiB(limits.maxImageBytes));
+    RequireFits(desc, needs.size, limits);
     auto type = i.device->MemoryType(needs.memoryTypeBits, vk::MemoryPropertyFlagBits::eDeviceLocal);
     if (!type) type = i.device->MemoryType(needs.memoryTypeBits, {});
     try {

@@ -102,7 +102,7 @@ std::vector<std::string> ChannelsToRead(const Imf::ChannelList& channels) {
         return {channels.begin().name()};
     } else {
         std::string found;
-        for (auto i = channels.begin(); i != channels.end(); ++i)
+        for (auto i = channels.begin(); i != channels.end() && found.size() < 80; ++i)
             found += fmt::format(" {}", i.name());
         if (found.empty()) found = " none";
         throw Error("its channels are{}; R G B [A], Y [A] or a single one are expected", found);

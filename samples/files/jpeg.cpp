@@ -18,18 +18,28 @@ namespace boxcar {
 namespace {
 
 constexpr uint8_t kTemporary = 0x01;
+constexpr uint8_t kFirstFrame = 0xc0;
+constexpr uint8_t kLastFrame = 0xc2;
 constexpr uint8_t kHuffmanTables = 0xc4;
 constexpr uint8_t kFirstRestart = 0xd0;
 constexpr uint8_t kStartOfImage = 0xd8;
 constexpr uint8_t kEndOfImage = 0xd9;
 constexpr uint8_t kStartOfScan = 0xda;
 
+struct Size {
+    uint64_t widthTexels = 0;
+    uint64_t heightTexels = 0;
+};
+
 // Walks the segments as stb will, to refuse what stb 2.27 does not: Huffman tables of more than 256 codes, which it
-// writes out of bounds, and scans without number, each of which may take it as long as the whole picture.
+// writes out of bounds; scans without number, each of which may take it as long as the whole picture; and fewer bits
+// than blocks, which it fills up with grey. (Of a scan that breaks off later but is closed properly, nothing tells.)
+// Returns what the frame header says.
 //
 // ITU-T T.81, annex B
-void RequireSoundSegments(ByteView file) {
+Size ReadSize(ByteView file, const PictureLimits& limits) {
     constexpr int kMaxScans = 500;
+    Size size;
     int scans = 0;
     size_t at = 0;
     const auto next = [&] {
@@ -42,7 +52,7 @@ void RequireSoundSegments(ByteView file) {
         uint8_t marker = next();
         while (marker == 0xff)
             marker = next();
-        if (marker == kEndOfImage) return;
+        if (marker == kEndOfImage) return size;
         if (marker <= kTemporary || (marker >= kFirstRestart && marker <= kStartOfImage))
             continue;  // without a segment
 
@@ -52,6 +62,12 @@ void RequireSoundSegments(ByteView file) {
         const ByteView segment = file.subspan(at, length - 2);
         at += segment.size();
         if (marker == kStartOfScan && ++scans > kMaxScans) throw Error("damaged JPEG: more than {} scans", kMaxScans);
+        if (marker >= kFirstFrame && marker <= kLastFrame && segment.size() >= 5) {
+            size.heightTexels = static_cast<uint64_t>(segment[1] << 8 | segment[2]);
+            size.widthTexels = static_cast<uint64_t>(segment[3] << 8 | segment[4]);
+            RequireWithin(size.widthTexels, size.heightTexels, limits);
+            if (size.widthTexels * size.heightTexels / 64 > file.size() * 8) throw CutOff(FileFormat::Jpeg);
+        }
         if (marker != kHuffmanTables) continue;
         for (ByteView tables = segment; !tables.empty();) {
             const size_t codes = tables.size() < 17 ? 0 : std::accumulate(&tables[1], tables.data() + 17, size_t{0});
@@ -101,8 +117,9 @@ Picture Upright(Picture stored, int orientation) {
 }  // namespace
 
 Picture DecodeJpeg(ByteView file, const PictureLimits& limits) {
-    RequireSoundSegments(file);
-    return Upright(DecodeWithStb(file, FileFormat::Jpeg, SampleType::Unorm8, limits), Orientation(file));
+    const Size size = ReadSize(file, limits);
+    return Upright(DecodeWithStb(file, FileFormat::Jpeg, SampleType::Unorm8, size.widthTexels, size.heightTexels),
+                   Orientation(file));
 }
 
 namespace {

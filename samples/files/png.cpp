@@ -55,14 +55,16 @@ Picture DecodePng(ByteView file, const PictureLimits& limits) {
     const Chunk header = ReadChunk(file, kSignatureBytes);
     if (header.type != "IHDR" || header.data.size() != 13)
         throw Error("damaged PNG: it does not begin with a header");
-    RequireWithin(BigEndian32(header.data), BigEndian32(header.data.subspan(4)), limits);
+    const uint32_t width = BigEndian32(header.data);
+    const uint32_t height = BigEndian32(header.data.subspan(4));
+    RequireWithin(width, height, limits);
     const SampleType stored = header.data[8] == 16 ? SampleType::Unorm16 : SampleType::Unorm8;
 
     Bytes whole;
     for (Chunk chunk = header; chunk.type != "IEND"; chunk = ReadChunk(file, chunk.EndIn(file)))
         if (chunk.type == "PLTE" && chunk.data.size() < kPaletteBytes && chunk.data.size() % 3 == 0 && whole.empty())
             whole = WithWholePalette(file, chunk);
-    return DecodeWithStb(whole.empty() ? file : ByteView(whole), FileFormat::Png, stored, limits);
+    return DecodeWithStb(whole.empty() ? file : ByteView(whole), FileFormat::Png, stored, width, height);
 }
 
 namespace {

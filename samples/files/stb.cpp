@@ -102,66 +102,40 @@ private:
 
 constexpr stbi_io_callbacks kCallbacks = {&StbReader::Read, &StbReader::Skip, &StbReader::AtEnd};
 
-struct StbHeader {
+// `load` is one of stbi_load.., `scale` what its largest sample stands for.
+template <typename Load>
+void ReadSamples(ByteView file, FileFormat format, Load load, float scale, Picture& picture) {
+    StbReader reader(file, format);
     int width = 0;
     int height = 0;
     int channels = 0;
-};
-
-Error StbError(FileFormat format) {
-    return Error("damaged {0}, or a kind of {0} that is not read ({1})", FormatName(format), stbi_failure_reason());
-}
-
-StbHeader ReadHeader(ByteView file, FileFormat format) {
-    const StbMemory memory(1 << 20);
-    StbReader reader(file, format);
-    StbHeader header;
     stbi__g_failure_reason = "unreadable";  // stb does not give a reason every time
-    if (!stbi_info_from_callbacks(&kCallbacks, &reader, &header.width, &header.height, &header.channels))
-        throw StbError(format);
-    return header;
-}
+    const auto* samples = load(&kCallbacks, &reader, &width, &height, &channels, 0);
+    if (samples == nullptr)
+        throw Error("damaged {0}, or a kind of {0} that is not read ({1})", FormatName(format),
+                    stbi_failure_reason());
+    if (static_cast<uint32_t>(width) != picture.widthTexels || static_cast<uint32_t>(height) != picture.heightTexels)
+        throw Error("damaged {}: its header says two sizes", FormatName(format));
 
-// `load` is one of stbi_load.., `scale` what its largest sample stands for.
-template <typename Load>
-Picture ReadSamples(ByteView file, FileFormat format, SampleType stored, uint64_t maxBlockBytes, Load load,
-                    float scale) {
-    const StbMemory memory(maxBlockBytes);
-    StbReader reader(file, format);
-    StbHeader header;
-    stbi__g_failure_reason = "unreadable";
-    const auto* samples = load(&kCallbacks, &reader, &header.width, &header.height, &header.channels, 0);
-    if (samples == nullptr) throw StbError(format);
-
-    Picture picture = MakePicture(static_cast<uint64_t>(header.width), static_cast<uint64_t>(header.height),
-                                  static_cast<uint32_t>(header.channels), stored);
+    picture.channels = static_cast<uint32_t>(channels);
+    picture.samples.resize(size_t{picture.widthTexels} * picture.heightTexels * picture.channels);
     std::transform(samples, samples + picture.samples.size(), picture.samples.begin(),
                    [scale](auto sample) { return static_cast<float>(sample) / scale; });
-    return picture;
 }
 
 }  // namespace
 
-Picture DecodeWithStb(ByteView file, FileFormat format, SampleType sampleType, const PictureLimits& limits) {
-    const StbHeader header = ReadHeader(file, format);
-    const auto width = static_cast<uint32_t>(header.width);
-    const auto height = static_cast<uint32_t>(header.height);
-    RequireWithin(width, height, limits);
-
+Picture DecodeWithStb(ByteView file, FileFormat format, SampleType sampleType, uint64_t widthTexels,
+                      uint64_t heightTexels) {
     // The largest blocks: the packed stream, doubled as it grows; 16-bit RGBA, the same; JPEG planes, whole MCUs.
-    const uint64_t maxBlockBytes = 2 * file.size() + 16 * (uint64_t{width} + 64) * (uint64_t{height} + 64);
+    const StbMemory memory(2 * file.size() + 16 * (widthTexels + 64) * (heightTexels + 64));
+    Picture picture = MakePicture(widthTexels, heightTexels, 0, sampleType);
     switch (sampleType) {
-        case SampleType::Unorm8:
-            return ReadSamples(file, format, sampleType, maxBlockBytes, stbi_load_from_callbacks, 255.0f);
-        case SampleType::Unorm16:
-            return ReadSamples(file, format, sampleType, maxBlockBytes, stbi_load_16_from_callbacks, 65535.0f);
-        case SampleType::Float32: break;
+        case SampleType::Unorm8: ReadSamples(file, format, stbi_load_from_callbacks, 255.0f, picture); break;
+        case SampleType::Unorm16: ReadSamples(file, format, stbi_load_16_from_callbacks, 65535.0f, picture); break;
+        case SampleType::Float32: ReadSamples(file, format, stbi_loadf_from_callbacks, 1.0f, picture); break;
     }
-    return ReadSamples(file, format, sampleType, maxBlockBytes, stbi_loadf_from_callbacks, 1.0f);
-}
-
-Picture DecodeHdr(ByteView file, const PictureLimits& limits) {
-    return DecodeWithStb(file, FileFormat::Hdr, SampleType::Float32, limits);
+    return picture;
 }
 
 }  // namespace boxcar

@@ -6,7 +6,9 @@
 
 namespace boxcar {
 
-// Decodes PNG and JPEG (as Unorm8 or Unorm16) and HDR (as Float32). Throws Error as DecodePng does.
-Picture DecodeWithStb(ByteView file, FileFormat format, SampleType sampleType, const PictureLimits& limits);
+// Decodes PNG and JPEG (as Unorm8 or Unorm16) and HDR (as Float32), the sides as the caller has found them in the
+// header and within the limits. Throws Error as DecodePng does.
+Picture DecodeWithStb(ByteView file, FileFormat format, SampleType sampleType, uint64_t widthTexels,
+                      uint64_t heightTexels);
 
 }  // namespace boxcar

@@ -27,17 +27,22 @@ TemporaryFolder::TemporaryFolder() {
     m_path = name;
 }
 
-TemporaryFolder::~TemporaryFolder() { std::filesystem::remove_all(m_path); }
+TemporaryFolder::~TemporaryFolder() {
+    std::filesystem::remove_all(m_path);
+}
 
 std::vector<std::string> TemporaryFolder::Names() const {
     std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(m_path)) names.push_back(entry.path().filename());
+    for (const auto& entry : std::filesystem::directory_iterator(m_path))
+        names.push_back(entry.path().filename());
     std::sort(names.begin(), names.end());
     return names;
 }
 
 std::string TemporaryFolder::Put(const std::string& name, ByteView bytes) const {
     const std::string path = Path(name);
+    // A file that is cut to nothing and written anew goes to the disk at once on ext4, which takes its time.
+    if (std::filesystem::is_regular_file(path)) std::filesystem::remove(path);
     std::ofstream(path, std::ios::binary)
         .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     return path;
@@ -48,7 +53,9 @@ Bytes Contents(const std::string& path) {
     return Bytes(std::istreambuf_iterator<char>(file), {});
 }
 
-Bytes ToBytes(std::string_view text) { return Bytes(text.begin(), text.end()); }
+Bytes ToBytes(std::string_view text) {
+    return Bytes(text.begin(), text.end());
+}
 
 Picture PatternPicture(Size size, uint32_t channels, SampleType stored) {
     Picture picture{size.width, size.height, channels, stored, {}};
@@ -98,7 +105,8 @@ Bytes MakePng(const PngFile& png) {
     }
     const size_t rowBytes = png.codes.size() / png.size.height;
     std::vector<png_bytep> rows;
-    for (uint32_t y = 0; y < png.size.height; ++y) rows.push_back(const_cast<png_bytep>(&png.codes[y * rowBytes]));
+    for (uint32_t y = 0; y < png.size.height; ++y)
+        rows.push_back(const_cast<png_bytep>(&png.codes[y * rowBytes]));
     png_set_rows(writer, info, rows.data());
     png_write_png(writer, info, PNG_TRANSFORM_IDENTITY, nullptr);
     png_destroy_write_struct(&writer, &info);
@@ -108,7 +116,8 @@ Bytes MakePng(const PngFile& png) {
 namespace {
 
 void AppendBigEndian(Bytes& bytes, uint32_t word) {
-    for (int shift = 24; shift >= 0; shift -= 8) bytes.push_back(static_cast<uint8_t>(word >> shift & 255));
+    for (int shift = 24; shift >= 0; shift -= 8)
+        bytes.push_back(static_cast<uint8_t>(word >> shift & 255));
 }
 
 }  // namespace
@@ -164,8 +173,10 @@ Bytes MakeJpeg(const JpegFile& file) {
 
 Bytes WithOrientation(ByteView jpeg, uint8_t orientation, bool bigEndian) {
     Bytes segment = {0xff, 0xe1, 0, 34, 'E', 'x', 'i', 'f', 0, 0};
-    const Bytes big = {'M', 'M', 0, 42, 0, 0, 0, 8, 0, 1, 0x01, 0x12, 0, 3, 0, 0, 0, 1, 0, orientation, 0, 0, 0, 0, 0, 0};
-    const Bytes little = {'I', 'I', 42, 0, 8, 0, 0, 0, 1, 0, 0x12, 0x01, 3, 0, 1, 0, 0, 0, orientation, 0, 0, 0, 0, 0, 0, 0};
+    const Bytes big = {'M', 'M', 0, 42, 0, 0, 0,           8, 0, 1, 0x01, 0x12, 0,
+                       3,   0,   0, 0,  1, 0, orientation, 0, 0, 0, 0,    0,    0};
+    const Bytes little = {'I', 'I', 42, 0, 8, 0,           0, 0, 1, 0, 0x12, 0x01, 3,
+                          0,   1,   0,  0, 0, orientation, 0, 0, 0, 0, 0,    0,    0};
     const Bytes& tiff = bigEndian ? big : little;
     segment.insert(segment.end(), tiff.begin(), tiff.end());
     Bytes file(jpeg.begin(), jpeg.end());
@@ -209,7 +220,7 @@ Bytes MakeExr(const ExrFile& exr) {
         for (const float value : channel.values) {
             const half asHalf(value);
             const auto asUint = static_cast<unsigned>(value);
-            const void* from = type == Imf::HALF ? static_cast<const void*>(&asHalf)
+            const void* from = type == Imf::HALF   ? static_cast<const void*>(&asHalf)
                                : type == Imf::UINT ? static_cast<const void*>(&asUint)
                                                    : static_cast<const void*>(&value);
             const auto* bytes = static_cast<const uint8_t*>(from);
@@ -217,8 +228,8 @@ Bytes MakeExr(const ExrFile& exr) {
         }
         header.channels().insert(channel.name, Imf::Channel(type, channel.sampling, channel.sampling));
         const size_t rowSamples = exr.size.width / static_cast<size_t>(channel.sampling);
-        frame.insert(channel.name, Imf::Slice::Make(type, samples.data(), window, sampleBytes, sampleBytes * rowSamples,
-                                                    channel.sampling, channel.sampling));
+        frame.insert(channel.name, Imf::Slice::Make(type, samples.data(), window, sampleBytes,
+                                                    sampleBytes * rowSamples, channel.sampling, channel.sampling));
     }
     BytesStream stream;
     if (exr.tiled) {
@@ -239,14 +250,17 @@ Bytes MakeHdr(Size size, const std::vector<std::array<uint8_t, 4>>& texels, bool
     for (uint32_t y = 0; y < size.height; ++y) {
         const auto* row = &texels[size_t{y} * size.width];
         if (!packed) {
-            for (uint32_t x = 0; x < size.width; ++x) file.insert(file.end(), row[x].begin(), row[x].end());
+            for (uint32_t x = 0; x < size.width; ++x)
+                file.insert(file.end(), row[x].begin(), row[x].end());
             continue;
         }
-        file.insert(file.end(), {2, 2, static_cast<uint8_t>(size.width >> 8), static_cast<uint8_t>(size.width & 255)});
+        file.insert(file.end(),
+                    {2, 2, static_cast<uint8_t>(size.width >> 8), static_cast<uint8_t>(size.width & 255)});
         for (size_t plane = 0; plane < 4; ++plane) {
             for (uint32_t x = 0; x < size.width;) {
                 uint32_t end = x + 1;
-                while (end < size.width && end - x < 127 && row[end][plane] == row[x][plane]) ++end;
+                while (end < size.width && end - x < 127 && row[end][plane] == row[x][plane])
+                    ++end;
                 const uint32_t run = end - x;
                 file.push_back(static_cast<uint8_t>(run > 1 ? 128 + run : 1));  // a run, or one sample as it stands
                 file.push_back(row[x][plane]);
@@ -261,7 +275,8 @@ std::vector<NamedFile> SmallFiles() {
     constexpr Size kSize = {12, 19};
     const auto codes = [&](size_t count) {
         Bytes bytes;
-        for (uint32_t i = 0; i < count; ++i) bytes.push_back(static_cast<uint8_t>(i * 2654435761u >> 24));
+        for (uint32_t i = 0; i < count; ++i)
+            bytes.push_back(static_cast<uint8_t>(i * 2654435761u >> 24));
         return bytes;
     };
     const auto pngCodes = [&](size_t samples) { return codes(samples * kSize.width * kSize.height); };
@@ -277,7 +292,8 @@ std::vector<NamedFile> SmallFiles() {
         {"rgb8.png", MakePng(PngFile{kSize, PNG_COLOR_TYPE_RGB, 8, pngCodes(3)})},
         {"rgba16.png", MakePng(PngFile{kSize, PNG_COLOR_TYPE_RGB_ALPHA, 16, pngCodes(8)})},
         {"interlaced.png", MakePng(PngFile{kSize, PNG_COLOR_TYPE_RGB, 16, pngCodes(6), true})},
-        {"palette4.png", MakePng(PngFile{kSize, PNG_COLOR_TYPE_PALETTE, 4, codes(6 * 19), false, codes(48), codes(3)})},
+        {"palette4.png",
+         MakePng(PngFile{kSize, PNG_COLOR_TYPE_PALETTE, 4, codes(6 * 19), false, codes(48), codes(3)})},
         {"grey.jpg", MakeJpeg({kSize, 1, jpegCodes(1)})},
         {"colour.jpg", MakeJpeg({kSize, 3, jpegCodes(3)})},
         {"chroma420.jpg", MakeJpeg({kSize, 3, jpegCodes(3), false, 2})},
@@ -289,7 +305,8 @@ std::vector<NamedFile> SmallFiles() {
     };
     std::vector<std::array<uint8_t, 4>> texels;
     for (uint32_t i = 0; i < kSize.width * kSize.height; ++i)
-        texels.push_back({static_cast<uint8_t>(128 + i % 100), static_cast<uint8_t>(i / 7), 9, static_cast<uint8_t>(120 + i % 9)});
+        texels.push_back(
+            {static_cast<uint8_t>(128 + i % 100), static_cast<uint8_t>(i / 7), 9, static_cast<uint8_t>(120 + i % 9)});
     files.push_back({"packed.hdr", MakeHdr(kSize, texels, true)});
     files.push_back({"flat.hdr", MakeHdr({4, 57}, texels, false)});
 

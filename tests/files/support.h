@@ -1,5 +1,5 @@
-// What the tests of samples/files share: folders that go away, pictures with known texels, and files of kinds that Boxcar
-// reads but does not write, made with the formats' own libraries.
+// What the tests of samples/files share: folders that go away, pictures with known texels, and files of kinds that
+// Boxcar reads but does not write, made with the formats' own libraries.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -56,8 +56,8 @@ std::string ErrorOf(Work work) {
     return {};
 }
 
-// A picture without symmetry: neighbours in every direction differ. Integers take codes from all of their range; floats
-// go below 0 and above 1.
+// A picture without symmetry: neighbours in every direction differ. Integers take codes from all of their range;
+// floats go below 0 and above 1.
 Picture PatternPicture(Size size, uint32_t channels, SampleType stored);
 
 // Slow ramps, as JPEG keeps them.

@@ -10,7 +10,7 @@
 #include "passes_shaders.h"
 #include "runtime/passes/summed_area_table.h"
 #include "samples/effects/box_blur.h"
-#include "test_passes_shaders.h"
+#include "test_support_shaders.h"
 #include "tests/support/device_image.h"
 
 namespace boxcar {
@@ -188,7 +188,7 @@ TEST(SATSampleBox, AgreesWithTheDefinitionAtAnyCentre) {
         const auto reference = ToDouble(extent, source);
         for (const EdgePair edge : kEdges) {
             const Pipeline pipeline(TestDevice(), {passes_shaders::Find("shaders/quad.vs"),
-                                                   test_passes_shaders::Find(edge.ours == BoxEdge::Zero
+                                                   test_support_shaders::Find(edge.ours == BoxEdge::Zero
                                                                          ? "shaders/sat_sample_box.ps.EDGE_ZERO=1"
                                                                          : "shaders/sat_sample_box.ps.EDGE_ZERO=0")});
             const Image result(TestDevice(), {extent, Format::RGBA32F, "sampled"});

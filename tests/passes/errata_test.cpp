@@ -5,7 +5,7 @@
 #include "passes_shaders.h"
 #include "runtime/passes/summed_area_table.h"
 #include "samples/effects/sat_verbatim_blur.h"
-#include "test_passes_shaders.h"
+#include "test_support_shaders.h"
 #include "tests/support/device_image.h"
 
 namespace boxcar {
@@ -26,11 +26,11 @@ std::vector<float> VerbatimBlurOfAnImpulse(float sizeTexels, float value = 1) {
     return row;
 }
 
-// The first and the last texel whose box holds the impulse.
+// The first and the last texel whose box holds the impulse. (Texels whose box sticks out at the right are negative.)
 std::pair<int, int> Reach(const std::vector<float>& row) {
     int first = -1, last = -1;
     for (int x = 0; x < 16; x++) {
-        if (row[x] == 0) continue;
+        if (row[x] <= 0) continue;
         if (first < 0) first = x;
         last = x;
     }
@@ -86,7 +86,7 @@ TEST(BoxLookup, DifferencesOfEntriesLeaveOutTheirFirstTexel) {
 // Builds with two taps and a sampler that clamps to the edge.
 Texels BuildWithClampToEdge(Extent2D extent, const Texels& source) {
     const Pipeline pipeline(TestDevice(), {passes_shaders::Find("shaders/quad.vs"),
-                                           test_passes_shaders::Find("shaders/sat_pass_clamp.ps")});
+                                           test_support_shaders::Find("shaders/sat_pass_clamp.ps")});
     PingPong targets(TestDevice(), {extent, Format::RGBA32F, "clamped table"});
     return RunOnDevice(extent, source, [&](CommandList& commands, const Image& image) -> const Image& {
         const Image* from = &image;

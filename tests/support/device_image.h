@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "runtime/command_list.h"
 #include "runtime/transfer.h"
 #include "tests/reference/box.h"
 #include "tests/support/test_device.h"

@@ -1,6 +1,7 @@
 #include "tests/support/test_device.h"
 
 #include <cstdlib>
+#include <string_view>
 #include <utility>
 
 namespace boxcar {
@@ -25,6 +26,16 @@ Device& TestDevice() {
                    .validation = true,
                    .onValidationMessage = [](const std::string& message) { Messages().push_back(message); }});
     return device;
+}
+
+uint32_t ValidationLayerVersion() {
+    uint32_t count = 0;
+    vkEnumerateInstanceLayerProperties(&count, nullptr);
+    std::vector<VkLayerProperties> layers(count);
+    vkEnumerateInstanceLayerProperties(&count, layers.data());
+    for (const VkLayerProperties& layer : layers)
+        if (std::string_view(layer.layerName) == "VK_LAYER_KHRONOS_validation") return layer.specVersion;
+    return 0;
 }
 
 std::vector<std::string> TakeValidationMessages() { return std::exchange(Messages(), {}); }

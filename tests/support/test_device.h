@@ -14,6 +14,9 @@ std::string TestDeviceSelector();
 
 Device& TestDevice();
 
+// The version of the installed validation layer, as VK_MAKE_API_VERSION makes it; it varies in what it can see.
+uint32_t ValidationLayerVersion();
+
 // What the validation layer has said since this was last called.
 std::vector<std::string> TakeValidationMessages();
 

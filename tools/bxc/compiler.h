@@ -1,7 +1,7 @@
 // From HLSL to SPIR-V. One interface, so that another compiler can stand behind it; today glslang does.
 //
 // Bindings: register(bN) is binding N, sN is 16 + N, uN is 32 + N, tN is 96 + N, spaceN is set N. A resource without
-// a register gets the next free binding of its class.
+// a register gets the next free binding of its class. With -Gec a sampler is texture and sampler in one: 96 + N.
 #pragma once
 
 #include "tools/bxc/diagnostic.h"
@@ -15,44 +15,12 @@
 
 namespace boxcar {
 
-// A resource that the HLSL declares.
-struct DeclaredResource {
-    std::string name;
-    uint32_t set = 0;
-    uint32_t binding = 0;
-    uint32_t count = 1;  // array length; 0 for an array without a length
-    bool used = false;   // by the entry point or what it calls
-    SourcePlace place;   // of the declaration
-};
-
-// One location, or one built-in, of a stage interface.
-struct DeclaredVariable {
-    std::string name;      // the parameter's or the field's; "" for the value that the entry point returns
-    std::string semantic;  // upper case, with its index: "TEXCOORD1", "SV_POSITION"
-    std::string type;      // "float4"
-    bool builtIn = false;  // then it has no location
-    uint32_t location = 0;
-    SourcePlace place;
-};
-
-// Something of which only the name and the place matter.
-struct DeclaredName {
-    std::string name;
-    SourcePlace place;
-};
-
-// What the compiler made of one entry point, and what the rules need to know of its source.
+// What the compiler made of one entry point.
 struct CompiledShader {
-    std::string file = {};
-    std::string entry = {};
-    ShaderStage stage = ShaderStage::Pixel;
-    std::vector<uint32_t> spirv = {};  // neither legalised nor valid for Vulkan yet; empty if there were errors
-    bool hasEntry = false;
-    SourcePlace entryPlace = {};                  // line 1 of the file if there is none
-    std::vector<DeclaredName> looseGlobals = {};  // constants outside a cbuffer
-    std::vector<DeclaredResource> resources = {};
-    std::vector<DeclaredVariable> inputs = {};
-    std::vector<DeclaredVariable> outputs = {};
+    // Neither legalised nor valid for Vulkan yet. Semantics are in it as decorations. Empty without an entry point.
+    std::vector<uint32_t> spirv;
+    std::string preprocessed;  // the source after the preprocessor, with #line where file or line jump
+    bool hasEntry = false;     // false: there is no such function, which is for a rule to refuse
 };
 
 class Compiler {

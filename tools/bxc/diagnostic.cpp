@@ -12,8 +12,8 @@ std::string ToText(const Diagnostic& diagnostic) {
     std::string text = diagnostic.place.file;
     if (diagnostic.place.line > 0) text += fmt::format(":{}", diagnostic.place.line);
     if (diagnostic.place.line > 0 && diagnostic.place.column > 0) text += fmt::format(":{}", diagnostic.place.column);
-    return fmt::format("{}: {}: {}", text, diagnostic.severity == Severity::Error ? "error" : "warning",
-                       diagnostic.text);
+    constexpr const char* kNames[] = {"note", "warning", "error"};
+    return fmt::format("{}: {}: {}", text, kNames[static_cast<int>(diagnostic.severity)], diagnostic.text);
 }
 
 }  // namespace boxcar

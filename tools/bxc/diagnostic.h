@@ -9,7 +9,7 @@
 
 namespace boxcar {
 
-enum class Severity { Warning, Error };
+enum class Severity { Note, Warning, Error };  // a note belongs to the message before it
 
 // A place in a source text. line and column count from 1; 0 is unknown.
 struct SourcePlace {

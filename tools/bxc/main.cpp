@@ -1,5 +1,4 @@
-// bxc: HLSL text -> SPIR-V that is proven valid, its layout and its dependencies. Read from the top: this is all it
-// does.
+// bxc: HLSL text -> SPIR-V that is proven valid, its layout and its dependencies. CompileShader() is the pipeline.
 //
 // Non-goals: a preprocessor, linker or optimiser of its own; geometry, hull and ray stages; Direct3D bytecode.
 #include "tools/bxc/compiler.h"
@@ -27,15 +26,29 @@
 namespace boxcar {
 namespace {
 
+// From text to what the rules look at. Ends early where there are errors, or no entry point.
+RuleSubject RunFrontEnd(Compiler& compiler, const CompileOptions& options, Source& source, Diagnostics& diagnostics) {
+    CompiledShader compiled = compiler.Compile(options, source, diagnostics);
+    Outline outline(compiled.preprocessed, options.file, source);
+    RuleSubject subject{options, std::move(compiled), std::move(outline), {}, {}};
+    const std::vector<uint32_t>& spirv = subject.compiled.spirv;
+    if (!subject.compiled.hasEntry || HasErrors(diagnostics)) return subject;
+
+    Validate(spirv, ValidationStep::BeforeLegalization, options.file, diagnostics);
+    if (HasErrors(diagnostics)) return subject;
+
+    subject.declared = Reflect(spirv, ReflectScope::All, options, diagnostics);
+    subject.used = Reflect(spirv, ReflectScope::Used, options, diagnostics);
+    return subject;
+}
+
 // The vertex shader that --after names, with the macros and folders of the pixel shader.
-std::optional<CompiledShader> CompilePartner(Compiler& compiler, const CompileOptions& options, Source& source,
-                                             Diagnostics& diagnostics) {
-    if (options.after.empty()) return std::nullopt;
+CompileOptions PartnerOptions(const CompileOptions& options) {
     CompileOptions partner = options;
     partner.file = options.after;
     partner.stage = ShaderStage::Vertex;
     partner.entry = "main";
-    return compiler.Compile(partner, source, diagnostics);
+    return partner;
 }
 
 // One shader through every stage. Runs in a worker process; a stage that finds an error is the last.
@@ -45,30 +58,32 @@ CompileResult CompileShader(Compiler& compiler, const ShaderJob& job) {
     Diagnostics& diagnostics = result.diagnostics;
     const auto failed = [&] {
         for (Diagnostic& diagnostic : diagnostics)
-            if (options.warningsAreErrors) diagnostic.severity = Severity::Error;
+            if (options.warningsAreErrors && diagnostic.severity == Severity::Warning)
+                diagnostic.severity = Severity::Error;
         return HasErrors(diagnostics);
     };
 
     Source source(job.root, options.includeDirs);
-    const CompiledShader shader = compiler.Compile(options, source, diagnostics);
-    const std::optional<CompiledShader> partner = CompilePartner(compiler, options, source, diagnostics);
+    const RuleSubject shader = RunFrontEnd(compiler, options, source, diagnostics);
+    std::optional<RuleSubject> partner;
+    if (!options.after.empty()) partner = RunFrontEnd(compiler, PartnerOptions(options), source, diagnostics);
     result.dependencies = source.Names();
     if (failed()) return result;
 
-    CheckRules({shader, partner ? &*partner : nullptr}, diagnostics);
-    if (partner) CheckRules({*partner}, diagnostics);
+    CheckRules(shader, partner ? &*partner : nullptr, diagnostics);
+    if (partner) CheckRules(*partner, nullptr, diagnostics);
     if (failed()) return result;
 
-    Validate(shader.spirv, ValidationStep::BeforeLegalization, options.file, diagnostics);
+    std::vector<uint32_t> spirv = Optimize(shader.compiled.spirv, options.optimization, options.file, diagnostics);
     if (failed()) return result;
 
-    std::vector<uint32_t> spirv = Optimize(shader.spirv, options.optimization, options.file, diagnostics);
+    result.layout = Reflect(spirv, ReflectScope::All, options, diagnostics);
+    if (failed()) return result;
+
+    spirv = StripSemantics(spirv, options.file, diagnostics);
     if (failed()) return result;
 
     Validate(spirv, ValidationStep::Final, options.file, diagnostics);
-    if (failed()) return result;
-
-    result.layout = Reflect(spirv, shader, diagnostics);
     if (failed()) return result;
 
     result.spirv = std::move(spirv);

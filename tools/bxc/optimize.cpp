@@ -3,30 +3,42 @@
 #include <spirv-tools/optimizer.hpp>
 
 namespace boxcar {
+namespace {
+
+std::vector<uint32_t> Run(spvtools::Optimizer& optimizer, const std::vector<uint32_t>& spirv, const std::string& file,
+                          Diagnostics& diagnostics) {
+    optimizer.SetMessageConsumer(
+        [&](spv_message_level_t level, const char*, const spv_position_t&, const char* text) {
+            if (level > SPV_MSG_WARNING) return;  // a higher level is milder: information about the passes
+            diagnostics.push_back({{file, 0, 0},
+                                   level == SPV_MSG_WARNING ? Severity::Warning : Severity::Error,
+                                   fmt::format("the optimiser: {}", text)});
+        });
+    spvtools::OptimizerOptions options;
+    options.set_run_validator(false);  // that is a stage of its own
+    std::vector<uint32_t> result;
+    if (optimizer.Run(spirv.data(), spirv.size(), &result, options)) return result;
+    if (!HasErrors(diagnostics)) diagnostics.push_back({{file, 0, 0}, Severity::Error, "the optimiser failed"});
+    return {};
+}
+
+}  // namespace
 
 std::vector<uint32_t> Optimize(const std::vector<uint32_t>& spirv, int level, const std::string& file,
                                Diagnostics& diagnostics) {
     spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_1);
-    optimizer.SetMessageConsumer(
-        [&](spv_message_level_t severity, const char*, const spv_position_t&, const char* message) {
-            if (severity > SPV_MSG_WARNING) return;  // higher is milder: information about the passes
-            diagnostics.push_back({{file, 0, 0},
-                                   severity == SPV_MSG_WARNING ? Severity::Warning : Severity::Error,
-                                   fmt::format("the optimiser: {}", message)});
-        });
     optimizer.RegisterLegalizationPasses();
     if (level == 1) optimizer.RegisterSizePasses();
     if (level == 3) optimizer.RegisterPass(spvtools::CreateLoopUnrollPass(true));
     if (level >= 2) optimizer.RegisterPerformancePasses();
+    return Run(optimizer, spirv, file, diagnostics);
+}
 
-    spvtools::OptimizerOptions options;
-    options.set_run_validator(false);  // that is a stage of its own
-    std::vector<uint32_t> optimized;
-    if (!optimizer.Run(spirv.data(), spirv.size(), &optimized, options)) {
-        if (!HasErrors(diagnostics)) diagnostics.push_back({{file, 0, 0}, Severity::Error, "the optimiser failed"});
-        return {};
-    }
-    return optimized;
+std::vector<uint32_t> StripSemantics(const std::vector<uint32_t>& spirv, const std::string& file,
+                                     Diagnostics& diagnostics) {
+    spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_1);
+    optimizer.RegisterPass(spvtools::CreateStripNonSemanticInfoPass());
+    return Run(optimizer, spirv, file, diagnostics);
 }
 
 }  // namespace boxcar

@@ -15,4 +15,8 @@ namespace boxcar {
 std::vector<uint32_t> Optimize(const std::vector<uint32_t>& spirv, int level, const std::string& file,
                                Diagnostics& diagnostics);
 
+// Removes the semantics, which are for Reflect(): drivers would want an extension for them.
+std::vector<uint32_t> StripSemantics(const std::vector<uint32_t>& spirv, const std::string& file,
+                                     Diagnostics& diagnostics);
+
 }  // namespace boxcar

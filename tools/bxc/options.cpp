@@ -136,7 +136,7 @@ std::vector<Flag> LimitFlags(Options& options) {
         {"--timeout", true,
          [&](const std::string& value) { options.timeoutSeconds = ParseNumber("--timeout", value, 1, 86400); }},
         {"--max-memory", true,
-         [&](const std::string& value) { options.maxMemoryMib = ParseNumber("--max-memory", value, 16, 1 << 20); }},
+         [&](const std::string& value) { options.maxMemoryMib = ParseNumber("--max-memory", value, 64, 1 << 20); }},
     };
 }
 

@@ -63,7 +63,7 @@ struct Options {
     std::string embed;        // --embed NAME: a C++ identifier, or ""
     std::string depfile;      // --depfile FILE, or ""
     int timeoutSeconds = 60;  // --timeout: of one shader, 1..86400
-    int maxMemoryMib = 1024;  // --max-memory: resident size of one worker, 16..1048576
+    int maxMemoryMib = 1024;  // --max-memory: resident size of one worker, 64..1048576
     std::string help;         // of `help`: the text to print
 };
 

@@ -3,6 +3,7 @@
 #include <spirv_cross.hpp>
 
 #include <algorithm>
+#include <cstdlib>
 #include <tuple>
 
 namespace boxcar {
@@ -61,35 +62,51 @@ LayoutResource MakeResource(const spirv_cross::Compiler& module, const spirv_cro
     return result;
 }
 
+// "@entryPointOutput.uv" -> "uv"; "" for the value that the entry point itself returns.
+std::string VariableName(const std::string& path) {
+    const size_t dot = path.find_last_of('.');
+    if (dot != std::string::npos) return path.substr(dot + 1);
+    return path.starts_with('@') ? "" : path;
+}
+
+// "TEXCOORD1" of "uv[2]" -> "TEXCOORD3", because the compiler takes arrays apart; "NORMAL" -> "NORMAL0".
+std::string SemanticName(const std::string& decoration, const std::string& variable) {
+    const size_t digits = decoration.find_last_not_of("0123456789") + 1;
+    if (digits == 0) return "";
+    const size_t bracket = variable.find('[');
+    const int index = std::atoi(decoration.c_str() + digits);
+    const int element = bracket == std::string::npos ? 0 : std::atoi(variable.c_str() + bracket + 1);
+    return fmt::format("{}{}", decoration.substr(0, digits), index + element);
+}
+
 std::vector<LayoutVariable> MakeVariables(const spirv_cross::Compiler& module,
-                                          const spirv_cross::SmallVector<spirv_cross::Resource>& resources,
-                                          const std::vector<DeclaredVariable>& declared) {
+                                          const spirv_cross::SmallVector<spirv_cross::Resource>& resources) {
     std::vector<LayoutVariable> variables;
     for (const spirv_cross::Resource& resource : resources) {
         const SPIRType& type = module.get_type(resource.type_id);
         LayoutVariable variable;
+        variable.name = VariableName(module.get_name(resource.id));
+        variable.semantic =
+            SemanticName(module.get_decoration_string(resource.id, spv::DecorationHlslSemanticGOOGLE), variable.name);
         variable.location = module.get_decoration(resource.id, spv::DecorationLocation);
         variable.locationCount = CountOf(type) * std::max(type.columns, 1u);
         variable.type = TypeName(type);
-        const auto source = std::ranges::find_if(declared, [&](const DeclaredVariable& candidate) {
-            return !candidate.builtIn && candidate.location == variable.location;
-        });
-        variable.name = source != declared.end() ? source->name : module.get_name(resource.id);
-        variable.semantic = source != declared.end() ? source->semantic : "";
         variables.push_back(std::move(variable));
     }
     std::ranges::sort(variables, {}, &LayoutVariable::location);
     return variables;
 }
 
-ShaderLayout MakeLayout(const std::vector<uint32_t>& spirv, const CompiledShader& declared) {
+ShaderLayout MakeLayout(const std::vector<uint32_t>& spirv, ReflectScope scope, const CompileOptions& options) {
     const spirv_cross::Compiler module(spirv);
-    const spirv_cross::ShaderResources found = module.get_shader_resources();
+    const spirv_cross::ShaderResources found =
+        scope == ReflectScope::All ? module.get_shader_resources()
+                                   : module.get_shader_resources(module.get_active_interface_variables());
 
     ShaderLayout layout;
-    layout.source = declared.file;
-    layout.entry = declared.entry;
-    layout.stage = declared.stage;
+    layout.source = options.file;
+    layout.entry = options.entry;
+    layout.stage = options.stage;
 
     const auto add = [&](const auto& resources, ResourceKind kind) {
         for (const spirv_cross::Resource& resource : resources)
@@ -106,13 +123,13 @@ ShaderLayout MakeLayout(const std::vector<uint32_t>& spirv, const CompiledShader
         return std::tie(resource.set, resource.binding, resource.name);
     });
 
-    layout.inputs = MakeVariables(module, found.stage_inputs, declared.inputs);
-    layout.outputs = MakeVariables(module, found.stage_outputs, declared.outputs);
+    layout.inputs = MakeVariables(module, found.stage_inputs);
+    layout.outputs = MakeVariables(module, found.stage_outputs);
     layout.writesPosition =
-        declared.stage == ShaderStage::Vertex && std::ranges::any_of(found.builtin_outputs, [](const auto& output) {
+        options.stage == ShaderStage::Vertex && std::ranges::any_of(found.builtin_outputs, [](const auto& output) {
             return output.builtin == spv::BuiltInPosition;
         });
-    if (declared.stage == ShaderStage::Compute)
+    if (options.stage == ShaderStage::Compute)
         for (uint32_t i = 0; i < 3; ++i)
             layout.threadGroup[i] = module.get_execution_mode_argument(spv::ExecutionModeLocalSize, i);
     return layout;
@@ -120,11 +137,12 @@ ShaderLayout MakeLayout(const std::vector<uint32_t>& spirv, const CompiledShader
 
 }  // namespace
 
-ShaderLayout Reflect(const std::vector<uint32_t>& spirv, const CompiledShader& declared, Diagnostics& diagnostics) {
+ShaderLayout Reflect(const std::vector<uint32_t>& spirv, ReflectScope scope, const CompileOptions& options,
+                     Diagnostics& diagnostics) {
     try {
-        return MakeLayout(spirv, declared);
+        return MakeLayout(spirv, scope, options);
     } catch (const spirv_cross::CompilerError& error) {
-        diagnostics.push_back({{declared.file, 0, 0}, Severity::Error, fmt::format("no layout: {}", error.what())});
+        diagnostics.push_back({{options.file, 0, 0}, Severity::Error, fmt::format("no layout: {}", error.what())});
         return {};
     }
 }

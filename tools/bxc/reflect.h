@@ -1,7 +1,8 @@
 // Reads back from SPIR-V what a program needs to run it. Here SPIRV-Cross does.
 #pragma once
 
-#include "tools/bxc/compiler.h"
+#include "tools/bxc/diagnostic.h"
+#include "tools/bxc/options.h"
 #include "tools/layout/shader_layout.h"
 
 #include <cstdint>
@@ -9,9 +10,14 @@
 
 namespace boxcar {
 
-// spirv     valid for Vulkan; what the optimiser removed is not part of the layout
-// declared  the same shader as the compiler saw it: it knows the semantics, which SPIR-V does not hold
-// Appends an error to `diagnostics` if SPIRV-Cross cannot read it.
-ShaderLayout Reflect(const std::vector<uint32_t>& spirv, const CompiledShader& declared, Diagnostics& diagnostics);
+enum class ReflectScope {
+    All,   // whatever the module holds
+    Used,  // of that, what the entry point or a function it calls uses
+};
+
+// spirv  has the semantics in it, as the compiler and Optimize() leave them
+// Appends an error to `diagnostics` if the SPIR-V cannot be read.
+ShaderLayout Reflect(const std::vector<uint32_t>& spirv, ReflectScope scope, const CompileOptions& options,
+                     Diagnostics& diagnostics);
 
 }  // namespace boxcar

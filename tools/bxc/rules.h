@@ -4,19 +4,29 @@
 
 #include "tools/bxc/compiler.h"
 #include "tools/bxc/diagnostic.h"
+#include "tools/bxc/outline.h"
+#include "tools/layout/shader_layout.h"
 
 namespace boxcar {
 
-// What a rule looks at.
-struct RuleInput {
-    const CompiledShader& shader;
-    const CompiledShader* before = nullptr;  // the vertex shader that --after names
+// A shader as the rules see it.
+struct RuleSubject {
+    CompileOptions options;
+    CompiledShader compiled;
+    Outline outline;        // where things are declared
+    ShaderLayout declared;  // all of them, before the optimiser removes anything; empty without an entry point
+    ShaderLayout used;      // what the entry point uses of that
+
+    // The entry point; line 1 of the file if there is none.
+    SourcePlace EntryPlace() const;
 };
 
-// Appends an error, with its place, for everything that the rule refuses.
-using RuleCheck = void(const RuleInput& input, Diagnostics& diagnostics);
+// Appends an error, with its place, for everything that the rule refuses, and notes that belong to it.
+//
+//   before  the vertex shader that --after names, or nullptr
+using RuleCheck = void(const RuleSubject& shader, const RuleSubject* before, Diagnostics& diagnostics);
 
-// Applies every rule, in the order of their names. Each message ends in the rule's name: [binding_clash].
-void CheckRules(const RuleInput& input, Diagnostics& diagnostics);
+// Applies every rule, in the order of their names. Each error ends in the rule's name: [binding_clash].
+void CheckRules(const RuleSubject& shader, const RuleSubject* before, Diagnostics& diagnostics);
 
 }  // namespace boxcar

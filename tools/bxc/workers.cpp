@@ -90,7 +90,7 @@ public:
         char* const arguments[] = {name, command, nullptr};
         const int error = posix_spawn(&m_process, "/proc/self/exe", &actions, nullptr, arguments, environ);
         posix_spawn_file_actions_destroy(&actions);
-        if (error != 0) throw Error("cannot start a worker process: {}", std::strerror(error));
+        if (error != 0) throw Error("cannot start /proc/self/exe as a worker process: {}", std::strerror(error));
     }
 
     ~Worker() {

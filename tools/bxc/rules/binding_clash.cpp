@@ -8,7 +8,7 @@ namespace boxcar::rules::binding_clash {
 namespace {
 
 // One past the last binding that a resource takes. Direct3D gives every element of an array its own register.
-uint64_t End(const DeclaredResource& resource) {
+uint64_t End(const LayoutResource& resource) {
     return resource.count == 0 ? std::numeric_limits<uint64_t>::max() : uint64_t{resource.binding} + resource.count;
 }
 
@@ -24,18 +24,19 @@ std::string Register(uint32_t set, uint32_t binding) {
 
 }  // namespace
 
-void Check(const RuleInput& input, Diagnostics& diagnostics) {
-    const std::vector<DeclaredResource>& resources = input.shader.resources;
-    for (size_t i = 0; i < resources.size(); ++i)
-        for (size_t j = 0; j < i; ++j) {
-            const DeclaredResource &late = resources[i], &early = resources[j];
-            if (!late.used || !early.used || late.set != early.set) continue;
-            if (late.binding >= End(early) || early.binding >= End(late)) continue;
-            diagnostics.push_back(
-                {late.place, Severity::Error,
-                 fmt::format("'{}' is on register({}) with '{}' (line {} of {}); give it one of its own", late.name,
-                             Register(late.set, std::max(late.binding, early.binding)), early.name, early.place.line,
-                             early.place.file)});
+void Check(const RuleSubject& shader, const RuleSubject*, Diagnostics& diagnostics) {
+    const std::vector<LayoutResource>& resources = shader.used.resources;
+    for (const LayoutResource& late : resources)
+        for (const LayoutResource& early : resources) {
+            if (&early == &late) break;
+            const bool haveBindings =
+                early.kind != ResourceKind::PushConstants && late.kind != ResourceKind::PushConstants;
+            if (!haveBindings || early.set != late.set || late.binding >= End(early)) continue;
+            diagnostics.push_back({shader.outline.Global(late.name), Severity::Error,
+                                   fmt::format("'{}' is on register({}), where '{}' is", late.name,
+                                               Register(late.set, late.binding), early.name)});
+            diagnostics.push_back({shader.outline.Global(early.name), Severity::Note,
+                                   fmt::format("'{}' is declared here", early.name)});
         }
 }
 

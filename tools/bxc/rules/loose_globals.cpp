@@ -2,14 +2,23 @@
 // by stage and from Direct3D's.
 #include "tools/bxc/rules.h"
 
+#include <set>
+
 namespace boxcar::rules::loose_globals {
 
-void Check(const RuleInput& input, Diagnostics& diagnostics) {
-    for (const DeclaredName& constant : input.shader.looseGlobals)
-        diagnostics.push_back({constant.place, Severity::Error,
-                               fmt::format("'{}' is a constant outside a cbuffer; put it into a named cbuffer with a "
-                                           "register, or make it static const",
-                                           constant.name)});
+void Check(const RuleSubject& shader, const RuleSubject*, Diagnostics& diagnostics) {
+    std::set<std::string> told;
+    for (const LayoutResource& resource : shader.declared.resources) {
+        if (resource.name != "$Global") continue;
+        for (const LayoutMember& member : resource.members) {
+            const std::string name = member.name.substr(0, member.name.find('.'));  // of a struct: its variable
+            if (!told.insert(name).second) continue;
+            diagnostics.push_back({shader.outline.Global(name), Severity::Error,
+                                   fmt::format("'{}' is a constant outside a cbuffer; put it into a named cbuffer "
+                                               "with a register, or make it static const",
+                                               name)});
+        }
+    }
 }
 
 }  // namespace boxcar::rules::loose_globals

@@ -3,10 +3,10 @@
 
 namespace boxcar::rules::missing_entry {
 
-void Check(const RuleInput& input, Diagnostics& diagnostics) {
-    if (!input.shader.hasEntry)
-        diagnostics.push_back({input.shader.entryPlace, Severity::Error,
-                               fmt::format("there is no function '{}' to enter", input.shader.entry)});
+void Check(const RuleSubject& shader, const RuleSubject*, Diagnostics& diagnostics) {
+    if (!shader.compiled.hasEntry)
+        diagnostics.push_back({shader.EntryPlace(), Severity::Error,
+                               fmt::format("there is no function '{}' to enter", shader.options.entry)});
 }
 
 }  // namespace boxcar::rules::missing_entry

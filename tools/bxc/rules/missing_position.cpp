@@ -5,21 +5,16 @@
 
 namespace boxcar::rules::missing_position {
 
-void Check(const RuleInput& input, Diagnostics& diagnostics) {
-    const CompiledShader& shader = input.shader;
-    if (shader.stage != ShaderStage::Vertex || !shader.hasEntry) return;
-    const auto semantic = [&](std::string_view name) {
-        return std::ranges::find(shader.outputs, name, &DeclaredVariable::semantic);
-    };
-    if (semantic("SV_POSITION0") != shader.outputs.end()) return;
+void Check(const RuleSubject& shader, const RuleSubject*, Diagnostics& diagnostics) {
+    if (shader.options.stage != ShaderStage::Vertex || !shader.compiled.hasEntry || shader.declared.writesPosition)
+        return;
 
-    SourcePlace place = shader.entryPlace;
-    std::string hint;
-    if (const auto old = semantic("POSITION0"); old != shader.outputs.end()) {
-        place = old->place;
-        hint = fmt::format("; '{}' : POSITION0 is an ordinary output", old->name);
-    }
-    diagnostics.push_back({place, Severity::Error, fmt::format("'{}' writes no SV_Position{}", shader.entry, hint)});
+    diagnostics.push_back(
+        {shader.EntryPlace(), Severity::Error, fmt::format("'{}' writes no SV_Position", shader.options.entry)});
+    const auto old = std::ranges::find(shader.declared.outputs, "POSITION0", &LayoutVariable::semantic);
+    if (old != shader.declared.outputs.end())
+        diagnostics.push_back({shader.outline.Output(shader.options.entry, old->name), Severity::Note,
+                               "POSITION is an ordinary output, not the position"});
 }
 
 }  // namespace boxcar::rules::missing_position

@@ -3,44 +3,55 @@
 #include "tools/bxc/rules.h"
 
 #include <map>
-#include <set>
 
 namespace boxcar::rules::stage_link {
 namespace {
 
-std::map<uint32_t, const DeclaredVariable*> ByLocation(const std::vector<DeclaredVariable>& variables) {
-    std::map<uint32_t, const DeclaredVariable*> byLocation;
-    for (const DeclaredVariable& variable : variables)
-        if (!variable.builtIn) byLocation.emplace(variable.location, &variable);
+std::map<uint32_t, const LayoutVariable*> ByLocation(const std::vector<LayoutVariable>& variables) {
+    std::map<uint32_t, const LayoutVariable*> byLocation;
+    for (const LayoutVariable& variable : variables)
+        byLocation.emplace(variable.location, &variable);
     return byLocation;
 }
 
-std::string Text(const DeclaredVariable& variable) {
+std::string Text(const LayoutVariable& variable) {
     return fmt::format("{} {} : {}", variable.type, variable.name, variable.semantic);
+}
+
+bool Match(const LayoutVariable& a, const LayoutVariable& b) {
+    return a.type == b.type && a.locationCount == b.locationCount && a.semantic == b.semantic;
 }
 
 }  // namespace
 
-void Check(const RuleInput& input, Diagnostics& diagnostics) {
-    if (!input.before) return;
-    const auto written = ByLocation(input.before->outputs);
-    const auto taken = ByLocation(input.shader.inputs);
+void Check(const RuleSubject& shader, const RuleSubject* before, Diagnostics& diagnostics) {
+    if (!before || !before->compiled.hasEntry || !shader.compiled.hasEntry) return;
+    const auto error = [&](const SourcePlace& place, const std::string& text) {
+        diagnostics.push_back({place, Severity::Error, text + "; let both stages share one struct"});
+    };
+    const auto noteWhereWritten = [&](const LayoutVariable& out) {
+        diagnostics.push_back({before->outline.Output(before->options.entry, out.name), Severity::Note,
+                               fmt::format("'{}' is written here", Text(out))});
+    };
+    const std::string& entry = shader.options.entry;
+    const auto written = ByLocation(before->declared.outputs);
+    const auto taken = ByLocation(shader.declared.inputs);
     for (const auto& [location, in] : taken) {
+        const SourcePlace place = shader.outline.Input(entry, in->name);
         const auto out = written.find(location);
-        if (out == written.end())
-            diagnostics.push_back(
-                {in->place, Severity::Error,
-                 fmt::format("'{}' at location {} is not written by {}", Text(*in), location, input.before->file)});
-        else if (in->type != out->second->type || in->semantic != out->second->semantic)
-            diagnostics.push_back({in->place, Severity::Error,
-                                   fmt::format("'{}' would receive '{}' of {} (location {}); share one struct",
-                                               Text(*in), Text(*out->second), input.before->file, location)});
+        if (out == written.end()) {
+            error(place, fmt::format("the vertex shader does not write '{}'", Text(*in)));
+        } else if (!Match(*in, *out->second)) {
+            error(place, fmt::format("'{}' would receive another output, for it has the same location, {}", Text(*in),
+                                     location));
+            noteWhereWritten(*out->second);
+        }
     }
-    for (const auto& [location, out] : written)
-        if (!taken.contains(location))
-            diagnostics.push_back({input.shader.entryPlace, Severity::Error,
-                                   fmt::format("'{}' of {} (location {}) is not taken; share one struct", Text(*out),
-                                               input.before->file, location)});
+    for (const auto& [location, out] : written) {
+        if (taken.contains(location)) continue;
+        error(shader.EntryPlace(), fmt::format("'{}' takes only a part of what the vertex shader writes", entry));
+        noteWhereWritten(*out);
+    }
 }
 
 }  // namespace boxcar::rules::stage_link

@@ -1,4 +1,4 @@
-#include "tools/bxc/glslang_text.h"
+#include "tools/bxc/glslang_log.h"
 
 #include <algorithm>
 #include <cctype>
@@ -99,33 +99,6 @@ void AppendGlslangLog(const std::string& log, const std::string& mainFile, const
         if (std::ranges::find(diagnostics, diagnostic) == diagnostics.end())
             diagnostics.push_back(std::move(diagnostic));
     }
-}
-
-std::map<std::string, SourcePlace> PlacesOfGlobals(const std::string& preprocessed, const std::string& mainFile,
-                                                   const Source& source) {
-    std::map<std::string, SourcePlace> places;
-    std::string file = mainFile, text;
-    int line = 1, depth = 0;
-    for (std::istringstream lines(preprocessed); std::getline(lines, text); ++line) {
-        if (text.starts_with("#line ")) {  // #line 12 "file": the number of the next line
-            line = std::atoi(&text[6]) - 1;
-            if (const size_t quote = text.find('"'); quote != std::string::npos)
-                file = text.substr(quote + 1, text.rfind('"') - quote - 1);
-            continue;
-        }
-        for (size_t i = 0; i < text.size(); ++i) {
-            if (std::string_view("({[").find(text[i]) != std::string_view::npos) ++depth;
-            if (std::string_view(")}]").find(text[i]) != std::string_view::npos) --depth;
-            if (!IsWordChar(text[i])) continue;
-            size_t end = i;
-            while (end < text.size() && IsWordChar(text[end]))
-                ++end;
-            const std::string name = text.substr(i, end - i);
-            if (depth == 0) places.try_emplace(name, source.PlaceOf(file, line, name));
-            i = end - 1;
-        }
-    }
-    return places;
 }
 
 }  // namespace boxcar

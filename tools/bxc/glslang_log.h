@@ -1,10 +1,9 @@
-// Reads the two texts that glslang prints: its log, and preprocessed source.
+// Reads what glslang prints.
 #pragma once
 
 #include "tools/bxc/diagnostic.h"
 #include "tools/bxc/source.h"
 
-#include <map>
 #include <string>
 
 namespace boxcar {
@@ -16,10 +15,5 @@ namespace boxcar {
 //   file(line): error at column N, HLSL parsing failed.
 void AppendGlslangLog(const std::string& log, const std::string& mainFile, const Source& source,
                       Diagnostics& diagnostics);
-
-// Where each name first stands outside brackets in preprocessed source that starts in line 1 of `mainFile`. For a
-// global variable this is its declaration, which glslang's tree does not hold.
-std::map<std::string, SourcePlace> PlacesOfGlobals(const std::string& preprocessed, const std::string& mainFile,
-                                                   const Source& source);
 
 }  // namespace boxcar

@@ -1,0 +1,102 @@
+#include "tests/cli/program.h"
+
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <random>
+
+namespace boxcar {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string ReadText(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string DeviceFlags(const std::string& arguments, const std::string& device) {
+    for (const char* command : {"filter ", "sat ", "gallery "})
+        if (arguments.starts_with(command)) return fmt::format(" --validation --device '{}'", device);
+    return "";
+}
+
+}  // namespace
+
+Folder::Folder() {
+    std::string name = (fs::temp_directory_path() / "boxcar-test-XXXXXX").string();
+    m_path = mkdtemp(name.data());
+}
+
+Folder::~Folder() { fs::remove_all(m_path); }
+
+std::vector<std::string> Folder::Names() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(m_path)) names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+Outcome Folder::Run(const std::string& arguments, const std::string& environment) const {
+    const char* named = std::getenv("BOXCAR_TEST_DEVICE");
+    return RunOn(named ? named : "llvmpipe", arguments, environment);
+}
+
+Outcome Folder::RunOn(const std::string& device, const std::string& arguments, const std::string& environment) const {
+    const fs::path captured = m_path.string() + "-captured";
+    fs::create_directory(captured);
+    // A redirection of the arguments' own comes last and wins.
+    const std::string command =
+        fmt::format("cd '{}' && {} timeout 120 " BOXCAR_PROGRAM " > '{}/out' 2> '{}/err' {}{} ", m_path.string(), environment,
+                    captured.string(), captured.string(), arguments, DeviceFlags(arguments, device));
+    const int status = std::system(command.c_str());
+    Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, ReadText(captured / "out"), ReadText(captured / "err")};
+    fs::remove_all(captured);
+    return outcome;
+}
+
+void Folder::WriteText(const std::string& name, const std::string& text) const {
+    std::ofstream(m_path / name, std::ios::binary) << text;
+}
+
+Picture RandomPicture(uint32_t widthTexels, uint32_t heightTexels, uint32_t channels, SampleType stored) {
+    std::mt19937 random(widthTexels * 31 + heightTexels * 7 + channels);
+    const uint32_t codes = stored == SampleType::Unorm8 ? 256 : 65536;
+    Picture picture{widthTexels, heightTexels, channels, stored, {}};
+    picture.samples.resize(size_t{widthTexels} * heightTexels * channels);
+    for (float& sample : picture.samples) sample = static_cast<float>(random() % codes) / static_cast<float>(codes - 1);
+    return picture;
+}
+
+double ReferenceDecode(double code) {
+    return code <= 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4);
+}
+
+double ReferenceEncode(double light) {
+    return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
+}
+
+reference::DoubleImage ReferenceLight(const Picture& picture, bool srgb) {
+    reference::DoubleImage image{static_cast<int>(picture.widthTexels), static_cast<int>(picture.heightTexels), {}};
+    const int channels = static_cast<int>(picture.channels);
+    const int alpha = channels % 2 == 0 ? channels - 1 : -1;
+    for (size_t at = 0; at < picture.samples.size(); at += picture.channels) {
+        glm::dvec4 texel(0);
+        for (int c = 0; c < channels; c++) {
+            texel[c] = picture.samples[at + c];
+            if (!srgb || c == alpha) continue;
+            texel[c] = ReferenceDecode(texel[c]);
+            if (alpha >= 0) texel[c] *= picture.samples[at + alpha];
+        }
+        image.texels.push_back(texel);
+    }
+    return image;
+}
+
+}  // namespace boxcar

@@ -1,0 +1,54 @@
+// Runs boxcar as a person would, in a folder of its own.
+#pragma once
+
+#include <glm/vec4.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "samples/files/picture.h"
+#include "tests/reference/box.h"
+
+namespace boxcar {
+
+struct Outcome {
+    int exitCode = -1;
+    std::string out;
+    std::string err;
+};
+
+// A folder for one test, gone when it ends.
+class Folder {
+public:
+    Folder();
+    ~Folder();
+    Folder(Folder&&) = delete;
+
+    std::string Path(const std::string& name) const { return (m_path / name).string(); }
+    std::vector<std::string> Names() const;  // what is in it, sorted
+
+    // `boxcar ARGUMENTS` in this folder, through the shell, under the validation layer and on the test device where it
+    // takes a device. `environment`: NAME=VALUE words in front. Ended after two minutes (exit code 124).
+    Outcome Run(const std::string& arguments, const std::string& environment = "") const;
+
+    // The same with --device `device`.
+    Outcome RunOn(const std::string& device, const std::string& arguments, const std::string& environment = "") const;
+
+    void WriteText(const std::string& name, const std::string& text) const;
+
+private:
+    std::filesystem::path m_path;
+};
+
+// A picture of random samples in [0, 1], in whole codes of what it is stored as.
+Picture RandomPicture(uint32_t widthTexels, uint32_t heightTexels, uint32_t channels, SampleType stored);
+
+// sRGB codes to linear light and back, in double. Written from IEC 61966-2-1.
+double ReferenceDecode(double code);
+double ReferenceEncode(double light);
+
+// The picture's samples for the reference filter; missing channels are 0. With `srgb`: linear light, colours times alpha.
+reference::DoubleImage ReferenceLight(const Picture& picture, bool srgb);
+
+}  // namespace boxcar

@@ -1,0 +1,2 @@
+// On the register that another takes too.
+Texture2D<float4> first : register(t3);

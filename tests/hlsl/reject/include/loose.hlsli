@@ -1,0 +1,3 @@
+// A constant outside a cbuffer.
+
+float loose;

@@ -1,0 +1,5 @@
+// An error in line 4.
+float Wrong()
+{
+    return undeclared;
+}

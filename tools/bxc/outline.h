@@ -1,0 +1,55 @@
+// Where things are declared, read from the preprocessed text: compilers do not keep it as far as SPIR-V.
+//
+// Non-goals: a parser. Tokens and brackets are enough to find a name.
+#pragma once
+
+#include "tools/bxc/source.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace boxcar {
+
+class Outline {
+public:
+    // preprocessed  without comments and inactive lines, with #line where file or line jump; starts in line 1 of
+    //               `mainFile`
+    // source        the texts as they are in the files, for the columns. Outlives the outline.
+    Outline(std::string_view preprocessed, const std::string& mainFile, const Source& source);
+
+    // Where a global variable or a cbuffer is declared: its first mention outside brackets.
+    SourcePlace Global(std::string_view name) const;
+
+    // A function with a body, if there is one.
+    std::optional<SourcePlace> Function(std::string_view name) const;
+
+    // What the function takes: a parameter, or a field of a struct that is one. What it returns: a field of the
+    // struct that it returns, an out parameter, or the function itself for "". An index is passed over: "uv[3]".
+    SourcePlace Input(std::string_view function, std::string_view name) const;
+    SourcePlace Output(std::string_view function, std::string_view name) const;
+
+    // A name that is not found is in line 1 of the main file.
+
+private:
+    struct Token {
+        std::string text;
+        std::string file;
+        int line = 0;
+        int depth = 0;  // of brackets around it
+    };
+
+    const Token& At(size_t index) const;
+    SourcePlace PlaceOf(size_t index) const;
+    size_t ClosingOf(size_t opening) const;
+    size_t FindFunction(std::string_view name) const;
+    size_t FindVariable(std::string_view name, size_t begin, size_t end) const;
+    size_t FindField(std::string_view name, std::string_view structName) const;
+
+    const Source* m_source;
+    std::string m_mainFile;
+    std::vector<Token> m_tokens;
+};
+
+}  // namespace boxcar
