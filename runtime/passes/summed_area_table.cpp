@@ -14,9 +14,9 @@ uint32_t CheckedTaps(uint32_t taps) {
     throw Error("{} taps: a pass adds 2, 4, 8 or 16 texels", taps);
 }
 
-PipelineDesc PassShaders(const SummedAreaTableDesc& desc) {
-    const auto permutation = [&](const char* name) { return fmt::format("shaders/{}.TAPS={}", name, desc.taps); };
-    if (desc.addressing == TapAddressing::Integer)
+PipelineDesc PassShaders(uint32_t taps, TapAddressing addressing) {
+    const auto permutation = [&](const char* name) { return fmt::format("shaders/{}.TAPS={}", name, taps); };
+    if (addressing == TapAddressing::Integer)
         return {passes_shaders::Find("shaders/quad.vs"), passes_shaders::Find(permutation("sat_pass_load.ps"))};
     return {passes_shaders::Find(permutation("sat_pass.vs")), passes_shaders::Find(permutation("sat_pass.ps"))};
 }
@@ -34,10 +34,12 @@ SummedAreaTable::SummedAreaTable(Device& device, const SummedAreaTableDesc& desc
     CheckedTaps(desc.taps);
     AddAxis(desc.extent.widthTexels, {1, 0});
     AddAxis(desc.extent.heightTexels, {0, 1});
-    m_pipelines.emplace_back(device, PassShaders(desc));
+    for (const Step& step : m_steps)
+        if (!m_passes.contains(step.taps))
+            m_passes.emplace(step.taps, Pipeline(device, PassShaders(step.taps, desc.addressing)));
     if (desc.bias != glm::vec4(0))
-        m_pipelines.emplace_back(device,
-                                 PipelineDesc{passes_shaders::Find("shaders/quad.vs"), passes_shaders::Find("shaders/sat_bias.ps")});
+        m_takeOffBias.emplace(
+            device, PipelineDesc{passes_shaders::Find("shaders/quad.vs"), passes_shaders::Find("shaders/sat_bias.ps")});
 }
 
 // Pass i leaves out the first taps^(i-1) texels of its axis: the pass before the last one has put their final sums into
@@ -51,7 +53,9 @@ void SummedAreaTable::AddAxis(uint32_t sizeTexels, glm::ivec2 axis) {
         Rect area{0, 0, m_desc.extent.widthTexels, m_desc.extent.heightTexels};
         (axis.x ? area.xTexels : area.yTexels) = finished;
         (axis.x ? area.widthTexels : area.heightTexels) -= finished;
-        m_steps.push_back({fmt::format("table {}{}", axis.x ? 'x' : 'y', i), static_cast<int>(stride) * axis, area});
+        uint32_t taps = m_desc.taps;
+        while (taps > 2 && stride * (taps / 2) >= sizeTexels) taps /= 2;
+        m_steps.push_back({fmt::format("table {}{}", axis.x ? 'x' : 'y', i), taps, static_cast<int>(stride) * axis, area});
     }
 }
 
@@ -63,10 +67,10 @@ const Image& SummedAreaTable::RecordFirst(CommandList& commands, const Image& so
     BOXCAR_ASSERT(source.Extent() == m_desc.extent);
     BOXCAR_ASSERT(passes <= Passes());
     const Image* from = &source;
-    if (m_pipelines.size() > 1) {
+    if (m_takeOffBias) {
         const SATBiasConstants constants{m_desc.bias};
         commands.Draw({.name = "take off bias",
-                       .pipeline = m_pipelines[1],
+                       .pipeline = *m_takeOffBias,
                        .reads = {{"source", from}},
                        .writes = {&m_targets.Back()},
                        .constants = ConstantBytes(constants)});
@@ -77,7 +81,7 @@ const Image& SummedAreaTable::RecordFirst(CommandList& commands, const Image& so
     for (const Step& step : std::span(m_steps).first(passes)) {
         const SATPassConstants constants{float2(step.strideTexels) * texelUv, step.strideTexels};
         commands.Draw({.name = step.name,
-                       .pipeline = m_pipelines[0],
+                       .pipeline = m_passes.at(step.taps),
                        .reads = {{"source", from}},
                        .writes = {&m_targets.Back()},
                        .constants = ConstantBytes(constants),

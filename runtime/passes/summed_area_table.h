@@ -3,7 +3,8 @@
 //   source, W x H  ->  [- bias]  ->  P(W) passes along x  ->  P(H) passes along y  ->  table, W x H
 //
 //   P(n) = ceil(log n / log taps). Each pass adds `taps` texels, taps^i apart in the i-th of its axis, into the other
-//   of two targets, and leaves out the texels that hold their final sum in both. hlsl/boxcar/sat_build.hlsli is the
+//   of two targets, and leaves out the texels that hold their final sum in both. The last pass of an axis adds only as
+//   many as are left: 512 texels with 16 taps take passes of 16, 16 and 2. hlsl/boxcar/sat_build.hlsli is the
 //   arithmetic of one pass; hlsl/boxcar/sat.hlsli reads the table; box_filter.h filters with it.
 //
 // Hensley 2005, sect. 3 and 4; Scheuermann 2005 (SATPass)
@@ -12,6 +13,9 @@
 #include <glm/ext/vector_int2.hpp>
 #include <glm/vec4.hpp>
 
+#include <map>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "runtime/command_list.h"
@@ -52,11 +56,15 @@ public:
 
     uint32_t Passes() const { return static_cast<uint32_t>(m_steps.size()); }
 
+    // Texels that pass `pass` adds.
+    uint32_t TapsOf(uint32_t pass) const { return m_steps.at(pass).taps; }
+
     const SummedAreaTableDesc& Desc() const { return m_desc; }
 
 private:
     struct Step {
         std::string name;
+        uint32_t taps;
         glm::ivec2 strideTexels;
         Rect area;
     };
@@ -65,7 +73,8 @@ private:
 
     SummedAreaTableDesc m_desc;
     std::vector<Step> m_steps;
-    std::vector<Pipeline> m_pipelines;  // the pass; with a bias, also what takes it off
+    std::map<uint32_t, Pipeline> m_passes;  // by taps
+    std::optional<Pipeline> m_takeOffBias;
     PingPong m_targets;
 };
 

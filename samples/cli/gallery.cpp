@@ -212,8 +212,9 @@ void Gallery::VerbatimAndCorrected() {
     section.figures.push_back(Save("verbatim.png", printed, m_fruits, "As printed, divided by W x H; 9 x 9 texels."));
     section.figures.push_back(Save("corrected.png", corrected, m_fruits, "Corrected: SATSampleBox, 9 x 9 texels."));
     section.figures.push_back(Save("verbatim_difference.png", difference, m_fruits,
-                                   "Their difference in linear light, times 8: contours from the shift, a frame from the "
-                                   "missing clip.",
+                                   "Their difference in linear light, times 8: contours from the shift, a white frame at the "
+                                   "right and the bottom from the missing clip, lines where the lookup, which lies on the "
+                                   "border of two texels, is rounded to the other one.",
                                    Transfer::Raw));
     m_sections.push_back(std::move(section));
 }
@@ -243,8 +244,7 @@ void Gallery::LinearLightAndCodes() {
 void Gallery::HdrEnvironment() {
     GallerySection section{
         "A high dynamic range environment", "Hensley 2005, sect. 5.1",
-        "Half-float light, filtered as it stands and shown as v / (1 + v). A box spreads a lamp into a square: what glossy "
-        "reflections are made of.",
+        "Half-float light, filtered as it stands and shown as v / (1 + v): what glossy reflections are made of.",
         {}, {}};
     const Photograph city("city.exr", boxcar_city_exr, boxcar_city_exr_end);
     const auto shown = [](Texels texels) {

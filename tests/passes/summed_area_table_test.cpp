@@ -105,7 +105,15 @@ TEST(SummedAreaTable, PassCountIsTheSmallestThatReachesTheFarEnd) {
     EXPECT_EQ(SummedAreaTablePassCount(1000, 2), 10u);
     EXPECT_EQ(SummedAreaTablePassCount(16384, 2), 14u);
     EXPECT_EQ(SummedAreaTablePassCount(4294967295u, 16), 8u);
-    EXPECT_EQ(SummedAreaTable(TestDevice(), {.extent = {512, 512}, .taps = 16}).Passes(), 6u);
+}
+
+// Scheuermann 2005: 512 texels with 16 taps take six passes, of which two add only two texels.
+TEST(SummedAreaTable, TheLastPassOfAnAxisAddsOnlyWhatIsLeft) {
+    const SummedAreaTable table(TestDevice(), {.extent = {512, 512}, .taps = 16});
+    std::vector<uint32_t> taps;
+    for (uint32_t pass = 0; pass < table.Passes(); pass++) taps.push_back(table.TapsOf(pass));
+    EXPECT_EQ(taps, std::vector<uint32_t>({16, 16, 2, 16, 16, 2}));
+    EXPECT_EQ(SummedAreaTable(TestDevice(), {.extent = {513, 1}, .taps = 16}).TapsOf(2), 4u);
 }
 
 // Hensley 2005, Fig. 3: after the first pass with two taps each texel holds its own value and its left neighbour's.
