@@ -9,6 +9,8 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <new>
+#include <system_error>
 #include <utility>
 
 #include "tools/layout/error.h"
@@ -86,11 +88,19 @@ Bytes ReadBytes(const std::string& path, uint64_t maxBytes, const std::function<
     };
     requireWithin(static_cast<uint64_t>(status.st_size));
 
-    Bytes bytes(std::max<size_t>(static_cast<size_t>(status.st_size) + 1, 1 << 16));
+    Bytes bytes;
+    const auto resize = [&](size_t size) {
+        try {
+            bytes.resize(size);
+        } catch (const std::bad_alloc&) {
+            throw Error("{}: there is not enough memory to read it", InputName(path));
+        }
+    };
+    resize(std::max<size_t>(static_cast<size_t>(status.st_size) + 1, 1 << 16));
     size_t filled = 0;
     bool isChecked = false;
     for (ssize_t got = -1; got != 0;) {
-        if (filled == bytes.size()) bytes.resize(2 * filled);
+        if (filled == bytes.size()) resize(2 * filled);
         got = ::read(file, bytes.data() + filled, bytes.size() - filled);
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) throw ReadError(path);
@@ -101,7 +111,7 @@ Bytes ReadBytes(const std::string& path, uint64_t maxBytes, const std::function<
         }
         requireWithin(filled);
     }
-    bytes.resize(filled);
+    resize(filled);
     return bytes;
 }
 

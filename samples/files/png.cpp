@@ -1,9 +1,12 @@
 #include <png.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <csetjmp>
 #include <new>
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "samples/files/codecs.h"
 #include "samples/files/stb.h"
@@ -38,7 +41,7 @@ Chunk ReadChunk(ByteView file, size_t offset) {
     return chunk;
 }
 
-// stb leaves the palette entries that a file does not give uninitialised, and a texel may ask for them: fills up with
+// stb leaves the palette entries that a file does not give uninitialised, though a texel may ask for them: makes them
 // 0.
 Bytes WithWholePalette(ByteView file, const Chunk& palette) {
     Bytes whole(file.begin(), file.end());

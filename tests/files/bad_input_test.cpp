@@ -48,8 +48,8 @@ TEST(BadInputTest, WhatIsNoPictureIsRefused) {
 }
 
 TEST(BadInputTest, TheFormatThatIsAskedForIsInsistedOn) {
-    EXPECT_EQ(ErrorFor(SmallFile("grey.jpg"), {}, FileFormat::Png), "JPEG inside; PNG is expected");
-    EXPECT_EQ(ErrorFor(SmallFile("grey.pfm"), {}, FileFormat::Exr), "PFM inside; EXR is expected");
+    EXPECT_EQ(ErrorFor(SmallFile("grey_jpg"), {}, FileFormat::Png), "JPEG inside; PNG is expected");
+    EXPECT_EQ(ErrorFor(SmallFile("grey_pfm"), {}, FileFormat::Exr), "PFM inside; EXR is expected");
 }
 
 // An input without end: refused at its start if it is no picture, else as soon as it is longer than a picture can be.
@@ -81,6 +81,7 @@ TEST(BadInputTest, InputsWithoutEndAreRefused) {
 struct SizedFile {
     std::string name;
     Bytes (*make)(uint32_t width, uint32_t height);
+    friend std::ostream& operator<<(std::ostream& to, const SizedFile& file) { return to << file.name; }
 };
 
 Bytes SizedPng(uint32_t width, uint32_t height) {
@@ -146,7 +147,7 @@ INSTANTIATE_TEST_SUITE_P(Formats, SizedFileTest,
                          testing::Values(SizedFile{"Png", SizedPng}, SizedFile{"Jpeg", SizedJpeg},
                                          SizedFile{"Hdr", SizedHdr}, SizedFile{"Pfm", SizedPfm},
                                          SizedFile{"Exr", SizedExr}),
-                         [](const auto& test) { return test.param.name; });
+                         testing::PrintToStringParamName());
 
 TEST(BadInputTest, SidesOfZeroAreRefused) {
     EXPECT_EQ(ErrorFor(SizedPng(0, 5)), "0 x 5 texels; a side must be at least 1");
@@ -170,7 +171,7 @@ TEST(BadInputTest, SidesBeyond32BitsAreRefused) {
 }
 
 TEST(BadInputTest, PngWithAWrongChecksumIsRefused) {
-    Bytes file = SmallFile("rgb8.png");
+    Bytes file = SmallFile("rgb8_png");
     file[60] ^= 1;
     EXPECT_EQ(ErrorFor(file), "damaged PNG: the checksum of the chunk at byte 33 is wrong");
 }
@@ -191,7 +192,7 @@ TEST(BadInputTest, PngThatUnpacksToTooLittleOrTooMuchIsRefused) {
 }
 
 TEST(BadInputTest, JpegWithTablesOutOfBoundsIsRefused) {
-    Bytes file = SmallFile("grey.jpg");
+    Bytes file = SmallFile("grey_jpg");
     size_t table = 0;
     while (file[table] != 0xff || file[table + 1] != 0xc4)
         ++table;
@@ -200,7 +201,7 @@ TEST(BadInputTest, JpegWithTablesOutOfBoundsIsRefused) {
 }
 
 TEST(BadInputTest, JpegOfEndlessScansIsRefused) {
-    Bytes file = SmallFile("progressive.jpg");
+    Bytes file = SmallFile("progressive_jpg");
     size_t scan = file.size();
     while (file[scan - 2] != 0xff || file[scan - 1] != 0xda)
         --scan;
@@ -212,13 +213,13 @@ TEST(BadInputTest, JpegOfEndlessScansIsRefused) {
 
 TEST(BadInputTest, ExrThatAsksForMoreMemoryThanItsTexelsIsRefused) {
     // The size of an attribute: "lineOrder", its type of the same name, then 4 bytes.
-    Bytes attribute = SmallFile("lines0.exr");
+    Bytes attribute = SmallFile("lines0_exr");
     const std::string name("lineOrder\0lineOrder\0", 20);
     auto at = std::search(attribute.begin(), attribute.end(), name.begin(), name.end());
     at[23] = 0x7f;
     EXPECT_EQ(ErrorFor(attribute), "cut off: the EXR ends before its picture does");
 
-    Bytes tiles = SmallFile("tiles0.exr");
+    Bytes tiles = SmallFile("tiles0_exr");
     const std::string tileName("tiles\0tiledesc\0", 15);
     at = std::search(tiles.begin(), tiles.end(), tileName.begin(), tileName.end()) + 19;
     std::copy_n("\xff\xff\0\0\xff\xff\0", 7, at);  // 65535 x 65535
@@ -261,11 +262,7 @@ TEST_P(CutFileTest, DamagedAnywhereIsAWholePictureOrAnError) {
     EXPECT_GT(errors, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, CutFileTest, testing::ValuesIn(SmallFiles()), [](const auto& test) {
-    std::string name = test.param.name;
-    std::replace(name.begin(), name.end(), '.', '_');
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(Files, CutFileTest, testing::ValuesIn(SmallFiles()), testing::PrintToStringParamName());
 
 }  // namespace
 }  // namespace boxcar::test

@@ -52,6 +52,13 @@ struct Kind {
     bool tiled;
     int type;
     float tolerance;
+
+    friend std::ostream& operator<<(std::ostream& to, const Kind& kind) {
+        constexpr const char* kNames[] = {"None",  "Rle", "Zips", "Zip",  "Piz",
+                                          "Pxr24", "B44", "B44a", "Dwaa", "Dwab"};
+        return to << kNames[kind.compression] << (kind.tiled ? "Tiles" : "Lines")
+                  << (kind.type == Imf::HALF ? "Half" : "Float");
+    }
 };
 
 class ExrKindTest : public testing::TestWithParam<Kind> {};
@@ -87,14 +94,7 @@ std::vector<Kind> Kinds() {
     return kinds;
 }
 
-std::string NameOf(const testing::TestParamInfo<Kind>& test) {
-    constexpr const char* kNames[] = {"None", "Rle", "Zips", "Zip", "Piz", "Pxr24", "B44", "B44a", "Dwaa", "Dwab"};
-    const Kind& kind = test.param;
-    return fmt::format("{}{}{}", kNames[kind.compression], kind.tiled ? "Tiles" : "Lines",
-                       kind.type == Imf::HALF ? "Half" : "Float");
-}
-
-INSTANTIATE_TEST_SUITE_P(Kinds, ExrKindTest, testing::ValuesIn(Kinds()), NameOf);
+INSTANTIATE_TEST_SUITE_P(Kinds, ExrKindTest, testing::ValuesIn(Kinds()), testing::PrintToStringParamName());
 
 TEST(ExrTest, HalvesAndUintsBecomeTheFloatsTheyAre) {
     std::vector<float> halves;

@@ -16,6 +16,7 @@ struct RoundTrip {
     FileFormat format;
     SampleType sampleType;
     uint32_t channels;
+    friend std::ostream& operator<<(std::ostream& to, const RoundTrip& how) { return to << how.name; }
 };
 
 class RoundTripTest : public testing::TestWithParam<RoundTrip> {};
@@ -48,7 +49,7 @@ INSTANTIATE_TEST_SUITE_P(Formats, RoundTripTest,
                                          RoundTrip{"exr_rgba", FileFormat::Exr, SampleType::Float32, 4},
                                          RoundTrip{"pfm_grey", FileFormat::Pfm, SampleType::Float32, 1},
                                          RoundTrip{"pfm_rgb", FileFormat::Pfm, SampleType::Float32, 3}),
-                         [](const auto& test) { return test.param.name; });
+                         testing::PrintToStringParamName());
 
 // Every code there is, in a picture of one row to every 256 of them.
 Picture AllCodes(SampleType stored) {

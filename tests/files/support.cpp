@@ -287,28 +287,28 @@ std::vector<NamedFile> SmallFiles() {
         return bytes;
     };
     std::vector<NamedFile> files = {
-        {"grey8.png", MakePng(PngFile{kSize, PNG_COLOR_TYPE_GRAY, 8, pngCodes(1)})},
-        {"grey2.png", MakePng(PngFile{kSize, PNG_COLOR_TYPE_GRAY, 2, codes(3 * 19)})},
-        {"rgb8.png", MakePng(PngFile{kSize, PNG_COLOR_TYPE_RGB, 8, pngCodes(3)})},
-        {"rgba16.png", MakePng(PngFile{kSize, PNG_COLOR_TYPE_RGB_ALPHA, 16, pngCodes(8)})},
-        {"interlaced.png", MakePng(PngFile{kSize, PNG_COLOR_TYPE_RGB, 16, pngCodes(6), true})},
-        {"palette4.png",
+        {"grey8_png", MakePng(PngFile{kSize, PNG_COLOR_TYPE_GRAY, 8, pngCodes(1)})},
+        {"grey2_png", MakePng(PngFile{kSize, PNG_COLOR_TYPE_GRAY, 2, codes(3 * 19)})},
+        {"rgb8_png", MakePng(PngFile{kSize, PNG_COLOR_TYPE_RGB, 8, pngCodes(3)})},
+        {"rgba16_png", MakePng(PngFile{kSize, PNG_COLOR_TYPE_RGB_ALPHA, 16, pngCodes(8)})},
+        {"interlaced_png", MakePng(PngFile{kSize, PNG_COLOR_TYPE_RGB, 16, pngCodes(6), true})},
+        {"palette4_png",
          MakePng(PngFile{kSize, PNG_COLOR_TYPE_PALETTE, 4, codes(6 * 19), false, codes(48), codes(3)})},
-        {"grey.jpg", MakeJpeg({kSize, 1, jpegCodes(1)})},
-        {"colour.jpg", MakeJpeg({kSize, 3, jpegCodes(3)})},
-        {"chroma420.jpg", MakeJpeg({kSize, 3, jpegCodes(3), false, 2})},
-        {"progressive.jpg", MakeJpeg({kSize, 3, jpegCodes(3), true, 2})},
-        {"cmyk.jpg", MakeJpeg({kSize, 4, jpegCodes(4)})},
-        {"turned.jpg", WithOrientation(MakeJpeg({kSize, 3, jpegCodes(3)}), 6, true)},
-        {"grey.pfm", ToBytes("Pf\n2 3\n-1.0\n" + std::string(24, 'x'))},
-        {"colour.pfm", ToBytes("PF\n2 3\n1.0\n" + std::string(72, 'x'))},
+        {"grey_jpg", MakeJpeg({kSize, 1, jpegCodes(1)})},
+        {"colour_jpg", MakeJpeg({kSize, 3, jpegCodes(3)})},
+        {"chroma420_jpg", MakeJpeg({kSize, 3, jpegCodes(3), false, 2})},
+        {"progressive_jpg", MakeJpeg({kSize, 3, jpegCodes(3), true, 2})},
+        {"cmyk_jpg", MakeJpeg({kSize, 4, jpegCodes(4)})},
+        {"turned_jpg", WithOrientation(MakeJpeg({kSize, 3, jpegCodes(3)}), 6, true)},
+        {"grey_pfm", ToBytes("Pf\n2 3\n-1.0\n" + std::string(24, 'x'))},
+        {"colour_pfm", ToBytes("PF\n2 3\n1.0\n" + std::string(72, 'x'))},
     };
     std::vector<std::array<uint8_t, 4>> texels;
     for (uint32_t i = 0; i < kSize.width * kSize.height; ++i)
         texels.push_back(
             {static_cast<uint8_t>(128 + i % 100), static_cast<uint8_t>(i / 7), 9, static_cast<uint8_t>(120 + i % 9)});
-    files.push_back({"packed.hdr", MakeHdr(kSize, texels, true)});
-    files.push_back({"flat.hdr", MakeHdr({4, 57}, texels, false)});
+    files.push_back({"packed_hdr", MakeHdr(kSize, texels, true)});
+    files.push_back({"flat_hdr", MakeHdr({4, 57}, texels, false)});
 
     for (int compression = 0; compression < Imf::NUM_COMPRESSION_METHODS; ++compression) {
         for (const bool tiled : {false, true}) {
@@ -316,7 +316,7 @@ std::vector<NamedFile> SmallFiles() {
             for (const char* name : {"R", "G", "B"})
                 exr.channels.push_back({name, Imf::HALF, SmoothPicture(kSize, 1).samples});
             exr.channels.push_back({"A", Imf::FLOAT, SmoothPicture(kSize, 1).samples});
-            files.push_back({fmt::format("{}{}.exr", tiled ? "tiles" : "lines", compression), MakeExr(exr)});
+            files.push_back({fmt::format("{}{}_exr", tiled ? "tiles" : "lines", compression), MakeExr(exr)});
         }
     }
     return files;

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -120,6 +121,7 @@ Bytes MakeHdr(Size size, const std::vector<std::array<uint8_t, 4>>& texels, bool
 struct NamedFile {
     std::string name;
     Bytes bytes;
+    friend std::ostream& operator<<(std::ostream& to, const NamedFile& file) { return to << file.name; }
 };
 std::vector<NamedFile> SmallFiles();
 
