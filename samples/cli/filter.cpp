@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "runtime/transfer.h"
 #include "samples/cli/batch.h"
+#include "samples/cli/device_run.h"
 #include "samples/cli/light.h"
 #include "samples/effects/box_blur.h"
 
@@ -26,30 +26,25 @@ Stats Filter(Device& device, const Job& job, const FilterOptions& options) {
     const Picture picture = ReadForDevice(job.input, device, options.read);
     RequireWritable(job.output, job.format, picture.channels);
     const Transfer transfer = TransferFor(picture, options.read);
-    Stats stats{job.input, job.output, picture.widthTexels, picture.heightTexels, {}, 0};
+    const Extent2D extent{picture.widthTexels, picture.heightTexels};
 
-    std::vector<glm::vec4> texels = ToLight(picture, transfer);
+    DeviceRun run{ToLight(picture, transfer), {}, 0};
     // The box of one texel is the texel: no table, and so none of its rounding.
     if (sizeTexels.x > 1 || sizeTexels.y > 1) {
-        const Extent2D extent{picture.widthTexels, picture.heightTexels};
         const bool bounded = picture.stored != SampleType::Float32;
-        const Image source(device, {extent, Format::RGBA32F, "source"});
         BoxBlur blur(device, {.extent = extent,
                               .taps = Taps(options.read),
                               .edge = options.edgeWord == "zero" ? BoxEdge::Zero : BoxEdge::Clip,
-                              .bias = bounded ? MeanTexel(texels) : glm::vec4(0)});
-        WriteTexels(device, source, std::as_bytes(std::span(texels)));
-        CommandList commands(device, CommandList::Timing::On);
-        const Image& blurred = blur.Record(commands, source, sizeTexels);
-        commands.SubmitAndWait();
-        ReadTexels(device, blurred, std::as_writable_bytes(std::span(texels)));
-        stats.passes = commands.PassTimes();
-        stats.deviceBytes = device.MemoryBytes();
+                              .bias = bounded ? MeanTexel(run.texels) : glm::vec4(0)});
+        run = RunOnDevice(device, extent, std::move(run.texels),
+                          [&](CommandList& commands, const Image& source) -> const Image& {
+                              return blur.Record(commands, source, sizeTexels);
+                          });
     }
 
     const SampleType sampleType = OutputSampleType(job, picture, options.bits);
-    WritePicture(FromLight(texels, picture, transfer, sampleType), job.output, job.format, sampleType);
-    return stats;
+    WritePicture(FromLight(run.texels, picture, transfer, sampleType), job.output, job.format, sampleType);
+    return {job.input, job.output, extent, std::move(run.passes), run.deviceBytes};
 }
 
 }  // namespace

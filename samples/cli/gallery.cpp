@@ -5,12 +5,11 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <functional>
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
 
-#include "runtime/transfer.h"
+#include "samples/cli/device_run.h"
 #include "samples/cli/gallery_page.h"
 #include "samples/cli/light.h"
 #include "samples/effects/box_blur.h"
@@ -55,15 +54,8 @@ public:
 private:
     using Texels = std::vector<glm::vec4>;
 
-    Texels Run(const Photograph& source, const std::function<const Image&(CommandList&, const Image&)>& record) {
-        const Image image(m_device, {source.Extent(), Format::RGBA32F, "source"});
-        WriteTexels(m_device, image, std::as_bytes(std::span(source.texels)));
-        CommandList commands(m_device);
-        const Image& result = record(commands, image);
-        commands.SubmitAndWait();
-        Texels texels(source.texels.size());
-        ReadTexels(m_device, result, std::as_writable_bytes(std::span(texels)));
-        return texels;
+    Texels Run(const Photograph& source, const RecordPasses& record) {
+        return RunOnDevice(m_device, source.Extent(), source.texels, record).texels;
     }
 
     Texels Blur(const Photograph& source, glm::vec2 sizeTexels, BoxEdge edge = BoxEdge::Clip) {

@@ -1,8 +1,8 @@
 #include <memory>
 
 #include "runtime/passes/summed_area_table.h"
-#include "runtime/transfer.h"
 #include "samples/cli/batch.h"
+#include "samples/cli/device_run.h"
 #include "samples/cli/filter.h"
 #include "samples/cli/light.h"
 
@@ -15,17 +15,15 @@ Stats WriteTable(Device& device, const Job& job, const ReadOptions& options) {
     const Transfer transfer = TransferFor(picture, options);
     const Extent2D extent{picture.widthTexels, picture.heightTexels};
 
-    std::vector<glm::vec4> texels = ToLight(picture, transfer);
-    const Image source(device, {extent, Format::RGBA32F, "source"});
     SummedAreaTable table(device, {.extent = extent, .taps = Taps(options)});
-    WriteTexels(device, source, std::as_bytes(std::span(texels)));
-    CommandList commands(device, CommandList::Timing::On);
-    const Image& sums = table.Record(commands, source);
-    commands.SubmitAndWait();
-    ReadTexels(device, sums, std::as_writable_bytes(std::span(texels)));
+    DeviceRun run = RunOnDevice(device, extent, ToLight(picture, transfer),
+                                [&](CommandList& commands, const Image& source) -> const Image& {
+                                    return table.Record(commands, source);
+                                });
 
-    WritePicture(FromLight(texels, picture, transfer, SampleType::Float32), job.output, job.format, SampleType::Float32);
-    return {job.input,  job.output, extent.widthTexels, extent.heightTexels, commands.PassTimes(), device.MemoryBytes()};
+    WritePicture(FromLight(run.texels, picture, transfer, SampleType::Float32), job.output, job.format,
+                 SampleType::Float32);
+    return {job.input, job.output, extent, std::move(run.passes), run.deviceBytes};
 }
 
 }  // namespace

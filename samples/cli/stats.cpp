@@ -16,8 +16,8 @@ double TotalMilliseconds(const Stats& stats) {
 nlohmann::ordered_json ToJson(const Stats& stats) {
     nlohmann::ordered_json json = {{"input", stats.input},
                                    {"output", stats.output},
-                                   {"width", stats.widthTexels},
-                                   {"height", stats.heightTexels},
+                                   {"width", stats.extent.widthTexels},
+                                   {"height", stats.extent.heightTexels},
                                    {"device_bytes", stats.deviceBytes},
                                    {"device_ms", TotalMilliseconds(stats)}};
     json["passes"] = nlohmann::ordered_json::array();
@@ -26,8 +26,8 @@ nlohmann::ordered_json ToJson(const Stats& stats) {
 }
 
 void PrintStats(const Stats& stats, const DeviceInfo& device) {
-    fmt::print(stderr, "{} -> {}: {} x {}\n  device   {}, {}\n", stats.input, stats.output, stats.widthTexels,
-               stats.heightTexels, device.name, device.driver);
+    fmt::print(stderr, "{} -> {}: {} x {}\n  device   {}, {}\n", stats.input, stats.output, stats.extent.widthTexels,
+               stats.extent.heightTexels, device.name, device.driver);
     for (const PassTime& pass : stats.passes) fmt::print(stderr, "  {:8} {:9.3f} ms\n", pass.name, pass.milliseconds);
     fmt::print(stderr, "  {} passes {:.3f} ms; device memory {:.1f} MiB\n", stats.passes.size(),
                TotalMilliseconds(stats), static_cast<double>(stats.deviceBytes) / (1 << 20));

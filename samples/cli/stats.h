@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runtime/device.h"
+#include "runtime/format.h"
 #include "runtime/timing.h"
 
 namespace boxcar {
@@ -14,8 +15,7 @@ namespace boxcar {
 struct Stats {
     std::string input;
     std::string output;
-    uint32_t widthTexels = 0;
-    uint32_t heightTexels = 0;
+    Extent2D extent;
     std::vector<PassTime> passes;
     uint64_t deviceBytes = 0;  // at the most, while this picture was worked on
 };
