@@ -27,8 +27,7 @@ ImageState StateFor(ImageUse use) {
         case ImageUse::DepthTarget:
             return {Layout::eDepthAttachmentOptimal, Stage::eEarlyFragmentTests | Stage::eLateFragmentTests,
                     Access::eDepthStencilAttachmentRead | Access::eDepthStencilAttachmentWrite};
-        case ImageUse::TransferSource:
-            return {Layout::eTransferSrcOptimal, Stage::eTransfer, Access::eTransferRead};
+        case ImageUse::TransferSource: return {Layout::eTransferSrcOptimal, Stage::eTransfer, Access::eTransferRead};
         case ImageUse::TransferTarget: break;
     }
     return {Layout::eTransferDstOptimal, Stage::eTransfer, Access::eTransferWrite};
@@ -36,14 +35,15 @@ ImageState StateFor(ImageUse use) {
 
 bool Writes(vk::AccessFlags2 access) {
     using Access = vk::AccessFlagBits2;
-    return static_cast<bool>(access & (Access::eShaderStorageWrite | Access::eColorAttachmentWrite |
-                                       Access::eDepthStencilAttachmentWrite | Access::eTransferWrite |
-                                       Access::eMemoryWrite));
+    return static_cast<bool>(access &
+                             (Access::eShaderStorageWrite | Access::eColorAttachmentWrite |
+                              Access::eDepthStencilAttachmentWrite | Access::eTransferWrite | Access::eMemoryWrite));
 }
 
 void Check(const Pass& pass, const Pipeline::Impl& pipeline) {
     if (pass.writes.size() != pipeline.targets.size())
-        throw Error("pass '{}' writes {} images, its pipeline {}", pass.name, pass.writes.size(), pipeline.targets.size());
+        throw Error("pass '{}' writes {} images, its pipeline {}", pass.name, pass.writes.size(),
+                    pipeline.targets.size());
     for (size_t i = 0; i < pass.writes.size(); i++) {
         const ImageDesc& target = pass.writes[i]->Desc();
         if (target.format != pipeline.targets[i])
@@ -100,8 +100,8 @@ void CommandList::Impl::Barrier(const Image& image, ImageUse use) {
     const ImageState next = StateFor(use);
     const bool readAfterRead = now.layout == next.layout && !Writes(now.access) && !Writes(next.access);
     if (readAfterRead) return;  // the barrier into this state covers every read in it
-    const auto aspect = image.Desc().format == Format::Depth32F ? vk::ImageAspectFlagBits::eDepth
-                                                                : vk::ImageAspectFlagBits::eColor;
+    const auto aspect =
+        image.Desc().format == Format::Depth32F ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;
     const vk::ImageMemoryBarrier2 barrier(now.stages, now.access, next.stages, next.access, now.layout, next.layout,
                                           VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED, image.Handle(),
                                           {aspect, 0, 1, 0, 1});
@@ -111,7 +111,8 @@ void CommandList::Impl::Barrier(const Image& image, ImageUse use) {
 
 std::vector<vk::DescriptorSet> CommandList::Impl::AllocateSets(const Pipeline::Impl& pipeline) {
     std::vector<vk::DescriptorSetLayout> layouts;
-    for (const auto& layout : pipeline.setLayouts) layouts.push_back(*layout);
+    for (const auto& layout : pipeline.setLayouts)
+        layouts.push_back(*layout);
     if (layouts.empty()) return {};
     const auto& dispatch = *device->device.getDispatcher();
     for (const bool fresh : {false, true}) {
@@ -124,8 +125,7 @@ std::vector<vk::DescriptorSet> CommandList::Impl::AllocateSets(const Pipeline::I
         }
         std::vector<vk::DescriptorSet> sets(layouts.size());
         const vk::DescriptorSetAllocateInfo info(*descriptorPools.back(), layouts);
-        const vk::Result result =
-            (*device->device).allocateDescriptorSets(&info, sets.data(), dispatch);
+        const vk::Result result = (*device->device).allocateDescriptorSets(&info, sets.data(), dispatch);
         if (result == vk::Result::eSuccess) return sets;
     }
     throw Error("the device has no memory left for descriptors");
@@ -189,7 +189,9 @@ void CommandList::Draw(const Pass& pass) {
     if (c.device->hasDebugNames) c.commands.endDebugUtilsLabelEXT(dispatch);
 }
 
-void CommandList::Use(const Image& image, ImageUse use) { m_impl->Barrier(image, use); }
+void CommandList::Use(const Image& image, ImageUse use) {
+    m_impl->Barrier(image, use);
+}
 
 void CommandList::Clear(const Image& image, const float (&rgba)[4]) {
     Impl& c = *m_impl;
@@ -213,8 +215,8 @@ void CommandList::SubmitAndWait() {
 
     if (c.timedNames.empty()) return;
     const size_t count = 2 * c.timedNames.size();
-    const auto [result, ticks] = c.timer.getResults<uint64_t>(0, static_cast<uint32_t>(count), count * sizeof(uint64_t),
-                                                              sizeof(uint64_t), vk::QueryResultFlagBits::e64);
+    const auto [result, ticks] = c.timer.getResults<uint64_t>(
+        0, static_cast<uint32_t>(count), count * sizeof(uint64_t), sizeof(uint64_t), vk::QueryResultFlagBits::e64);
     if (result != vk::Result::eSuccess) return;
     for (size_t i = 0; i < c.timedNames.size(); i++) {
         const auto elapsed = static_cast<double>(ticks[2 * i + 1] - ticks[2 * i]);
@@ -222,7 +224,11 @@ void CommandList::SubmitAndWait() {
     }
 }
 
-std::vector<PassTime> CommandList::PassTimes() const { return m_impl->times; }
-VkCommandBuffer CommandList::Handle() const { return m_impl->commands; }
+std::vector<PassTime> CommandList::PassTimes() const {
+    return m_impl->times;
+}
+VkCommandBuffer CommandList::Handle() const {
+    return m_impl->commands;
+}
 
 }  // namespace boxcar

@@ -24,9 +24,9 @@ public:
     CommandList(CommandList&&) noexcept;
     CommandList& operator=(CommandList&&) noexcept;
 
-    // Throws Error: a texture of the shaders is not among pass.reads; an image is read and written at once; the targets
-    // differ in extent or are not of the pipeline's formats; the constants have another size than the shaders'. The
-    // message names the pass.
+    // Throws Error: a texture of the shaders is not among pass.reads; an image is read and written at once; the
+    // targets differ in extent or are not of the pipeline's formats; the constants have another size than the
+    // shaders'. The message names the pass.
     void Draw(const Pass& pass);
 
     // Puts an image into the state for a use outside of Draw, with the barrier that it needs.
@@ -35,7 +35,8 @@ public:
     // Sets every texel. `rgba` is converted to the image's format.
     void Clear(const Image& image, const float (&rgba)[4]);
 
-    // Ends the list, runs it and waits for it. Only for a list of one's own, once. Throws Error when the device is lost.
+    // Ends the list, runs it and waits for it. Only for a list of one's own, once. Throws Error when the device is
+    // lost.
     void SubmitAndWait();
 
     // After SubmitAndWait() of a list with timing: one entry a Draw, in order. Empty where the device has no timer.

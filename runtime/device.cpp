@@ -28,7 +28,8 @@ vk::raii::Context LoadVulkan() {
     try {
         return vk::raii::Context();
     } catch (const std::exception&) {
-        throw Error("no Vulkan loader (libvulkan.so.1): install libvulkan1 and a driver, such as mesa-vulkan-drivers");
+        throw Error(
+            "no Vulkan loader (libvulkan.so.1): install libvulkan1 and a driver, such as mesa-vulkan-drivers");
     }
 }
 
@@ -46,15 +47,15 @@ vk::raii::Instance CreateInstance(const vk::raii::Context& context, bool validat
 
     const vk::ApplicationInfo application("boxcar", 1, "boxcar", 1, kApiVersion);
     vk::InstanceCreateInfo info({}, &application, layers, extensions);
-    const vk::ValidationFeatureEnableEXT synchronization =
-        vk::ValidationFeatureEnableEXT::eSynchronizationValidation;
+    const vk::ValidationFeatureEnableEXT synchronization = vk::ValidationFeatureEnableEXT::eSynchronizationValidation;
     const vk::ValidationFeaturesEXT features(1, &synchronization);
     if (validation) info.pNext = &features;
     try {
         return vk::raii::Instance(context, info);
     } catch (const vk::IncompatibleDriverError&) {
-        throw Error("no Vulkan driver: install one, such as mesa-vulkan-drivers, and see that VK_ICD_FILENAMES, if it "
-                    "is set, names it");
+        throw Error(
+            "no Vulkan driver: install one, such as mesa-vulkan-drivers, and see that VK_ICD_FILENAMES, if it "
+            "is set, names it");
     }
 }
 
@@ -106,7 +107,8 @@ DeviceInfo Describe(const vk::raii::PhysicalDevice& device, uint32_t index) {
 
 std::vector<DeviceInfo> DescribeAll(const std::vector<vk::raii::PhysicalDevice>& devices) {
     std::vector<DeviceInfo> infos;
-    for (uint32_t i = 0; i < devices.size(); i++) infos.push_back(Describe(devices[i], i));
+    for (uint32_t i = 0; i < devices.size(); i++)
+        infos.push_back(Describe(devices[i], i));
     if (infos.empty()) throw Error("no Vulkan device: install a driver, such as mesa-vulkan-drivers");
     return infos;
 }
@@ -203,10 +205,18 @@ Device::Device(const AdoptedDevice& adopted) : m_impl(new Impl(LoadVulkan())) {
 
 Device::~Device() = default;
 
-const DeviceInfo& Device::Info() const { return m_impl->info; }
-const DeviceLimits& Device::Limits() const { return m_impl->limits; }
-uint64_t Device::MemoryBytes() const { return m_impl->memoryBytes; }
-uint64_t Device::PeakMemoryBytes() const { return m_impl->peakMemoryBytes; }
+const DeviceInfo& Device::Info() const {
+    return m_impl->info;
+}
+const DeviceLimits& Device::Limits() const {
+    return m_impl->limits;
+}
+uint64_t Device::MemoryBytes() const {
+    return m_impl->memoryBytes;
+}
+uint64_t Device::PeakMemoryBytes() const {
+    return m_impl->peakMemoryBytes;
+}
 
 AdoptedDevice Device::Handles() const {
     const Impl& d = *m_impl;

@@ -2,10 +2,10 @@
 //
 //   Device -> Image, Pipeline -> CommandList records Passes -> ReadTexels
 //
-// runtime/ is the thinnest layer over Vulkan that image-to-image chains need: one queue, one thread, dynamic rendering,
-// barriers derived from what a pass says it reads and writes, bindings by the names in the HLSL. It can run on a device
-// of its own or inside an engine's. It needs Vulkan 1.3 with dynamicRendering, synchronization2 and maintenance4,
-// which every 1.3 driver has.
+// runtime/ is the thinnest layer over Vulkan that image-to-image chains need: one queue, one thread, dynamic
+// rendering, barriers derived from what a pass says it reads and writes, bindings by the names in the HLSL. It can
+// run on a device of its own or inside an engine's. It needs Vulkan 1.3 with dynamicRendering, synchronization2 and
+// maintenance4, which every 1.3 driver has.
 //
 // Non-goals: a render graph, other APIs, windows, scenes, files.
 #pragma once
@@ -59,8 +59,8 @@ struct AdoptedDevice {
 // Not thread-safe, and neither is anything made on it. Must outlive all that is made on it.
 class Device {
 public:
-    // Throws Error: no driver; no device matches the selector (the message lists them); the device lacks a feature; the
-    // validation layer is asked for and not installed.
+    // Throws Error: no driver; no device matches the selector (the message lists them); the device lacks a feature;
+    // the validation layer is asked for and not installed.
     explicit Device(const DeviceDesc& desc = {});
 
     // Destroys nothing of the engine's.

@@ -22,8 +22,14 @@ const FormatRow& Row(Format format) {
 
 }  // namespace
 
-uint32_t BytesPerTexel(Format format) { return Row(format).bytes; }
-const char* FormatName(Format format) { return Row(format).name; }
-vk::Format VulkanFormat(Format format) { return Row(format).vulkan; }
+uint32_t BytesPerTexel(Format format) {
+    return Row(format).bytes;
+}
+const char* FormatName(Format format) {
+    return Row(format).name;
+}
+vk::Format VulkanFormat(Format format) {
+    return Row(format).vulkan;
+}
 
 }  // namespace boxcar

@@ -6,9 +6,13 @@
 namespace boxcar {
 namespace {
 
-std::string Size(Extent2D extent) { return fmt::format("{} x {}", extent.widthTexels, extent.heightTexels); }
+std::string Size(Extent2D extent) {
+    return fmt::format("{} x {}", extent.widthTexels, extent.heightTexels);
+}
 
-double MiB(uint64_t bytes) { return static_cast<double>(bytes) / (1 << 20); }
+double MiB(uint64_t bytes) {
+    return static_cast<double>(bytes) / (1 << 20);
+}
 
 void RequireFits(const ImageDesc& desc, uint64_t bytes, const DeviceLimits& limits) {
     if (bytes > limits.maxImageBytes)
@@ -36,7 +40,8 @@ Image::Image(Device& device, const ImageDesc& desc) : m_impl(new Impl) {
     i.desc = desc;
     const auto [width, height] = desc.extent;
     const DeviceLimits& limits = device.Limits();
-    if (width == 0 || height == 0) throw Error("image '{}' of {} texels: both sides must be at least 1", desc.name, Size(desc.extent));
+    if (width == 0 || height == 0)
+        throw Error("image '{}' of {} texels: both sides must be at least 1", desc.name, Size(desc.extent));
     if (width > limits.maxSideTexels || height > limits.maxSideTexels)
         throw Error("image '{}' of {} texels: the device takes at most {} a side", desc.name, Size(desc.extent),
                     limits.maxSideTexels);
@@ -58,10 +63,11 @@ Image::Image(Device& device, const ImageDesc& desc) : m_impl(new Impl) {
     try {
         i.memory = vk::raii::DeviceMemory(i.device->device, vk::MemoryAllocateInfo(needs.size, *type));
     } catch (const vk::SystemError& error) {
-        throw Error("image '{}' of {} texels ({}) takes {:.0f} MiB: the device, which holds {:.0f} MiB already, has no "
-                    "more ({})",
-                    desc.name, Size(desc.extent), FormatName(desc.format), MiB(needs.size),
-                    MiB(i.device->memoryBytes), error.what());
+        throw Error(
+            "image '{}' of {} texels ({}) takes {:.0f} MiB: the device, which holds {:.0f} MiB already, has no "
+            "more ({})",
+            desc.name, Size(desc.extent), FormatName(desc.format), MiB(needs.size), MiB(i.device->memoryBytes),
+            error.what());
     }
     i.ownImage.bindMemory(*i.memory, 0);
 
@@ -103,8 +109,14 @@ Image& Image::operator=(Image&& other) noexcept {
     return *this;
 }
 
-const ImageDesc& Image::Desc() const { return m_impl->desc; }
-VkImage Image::Handle() const { return m_impl->image; }
-VkImageView Image::View() const { return m_impl->view; }
+const ImageDesc& Image::Desc() const {
+    return m_impl->desc;
+}
+VkImage Image::Handle() const {
+    return m_impl->image;
+}
+VkImageView Image::View() const {
+    return m_impl->view;
+}
 
 }  // namespace boxcar

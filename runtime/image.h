@@ -18,8 +18,8 @@ struct ImageDesc {
 // What an image is used for next. A CommandList puts in the barrier that the change needs.
 enum class ImageUse { ShaderRead, StorageReadWrite, ColorTarget, DepthTarget, TransferSource, TransferTarget };
 
-// An engine's image, as it stands when it is wrapped. The engine keeps it alive and finds it, after what was recorded,
-// in the use that the last command left it in: CommandList::Use puts it where the engine wants it.
+// An engine's image, as it stands when it is wrapped. The engine keeps it alive and finds it, after what was
+// recorded, in the use that the last command left it in: CommandList::Use puts it where the engine wants it.
 struct WrappedImage {
     VkImage image = VK_NULL_HANDLE;
     VkImageView view = VK_NULL_HANDLE;

@@ -18,9 +18,10 @@ vk::DescriptorType DescriptorType(ResourceKind kind, std::string_view shader, st
         case ResourceKind::StorageImage: return vk::DescriptorType::eStorageImage;
         default: break;
     }
-    throw Error("shader {}: '{}' is neither a texture, a sampler nor a writable texture; put constants into a "
-                "BOXCAR_CONSTANTS block",
-                shader, resource);
+    throw Error(
+        "shader {}: '{}' is neither a texture, a sampler nor a writable texture; put constants into a "
+        "BOXCAR_CONSTANTS block",
+        shader, resource);
 }
 
 struct Stage {
@@ -72,8 +73,8 @@ void CheckLink(const Stage& vertex, const Stage& pixel) {
         const auto output = std::ranges::find(vertex.layout.outputs, input.location, &LayoutVariable::location);
         if (output == vertex.layout.outputs.end() || output->type != input.type ||
             output->locationCount != input.locationCount)
-            throw Error("{} does not link to {}: input '{}' ({} at location {}) is not written as such", vertex.shader.name,
-                        pixel.shader.name, input.name, input.type, input.location);
+            throw Error("{} does not link to {}: input '{}' ({} at location {}) is not written as such",
+                        vertex.shader.name, pixel.shader.name, input.name, input.type, input.location);
     }
 }
 
@@ -107,7 +108,8 @@ Pipeline::Pipeline(Device& device, const PipelineDesc& desc) : m_impl(new Impl) 
         throw Error("shader {}: {} bytes of constants, at most {} fit", p.name, p.constantsBytes, kMaxConstantsBytes);
 
     std::vector<vk::DescriptorSetLayout> setLayouts;
-    for (const auto& set : p.setLayouts) setLayouts.push_back(*set);
+    for (const auto& set : p.setLayouts)
+        setLayouts.push_back(*set);
     const vk::PushConstantRange range(p.constantsStages, 0, p.constantsBytes);
     vk::PipelineLayoutCreateInfo layoutInfo({}, setLayouts);
     if (p.constantsBytes > 0) layoutInfo.setPushConstantRanges(range);
@@ -137,7 +139,8 @@ Pipeline::Pipeline(Device& device, const PipelineDesc& desc) : m_impl(new Impl) 
     const std::array dynamicStates = {vk::DynamicState::eViewport, vk::DynamicState::eScissor};
     const vk::PipelineDynamicStateCreateInfo dynamic({}, dynamicStates);
     std::vector<vk::Format> formats;
-    for (const Format format : desc.targets) formats.push_back(VulkanFormat(format));
+    for (const Format format : desc.targets)
+        formats.push_back(VulkanFormat(format));
     const vk::PipelineRenderingCreateInfo rendering(0, formats);
 
     vk::GraphicsPipelineCreateInfo info({}, stageInfos, &noVertexBuffers, &strip, {}, &viewport, &rasterization,

@@ -5,7 +5,8 @@
 namespace boxcar {
 namespace {
 
-constexpr std::array kFilters = {std::pair{"nearest", vk::Filter::eNearest}, std::pair{"linear", vk::Filter::eLinear}};
+constexpr std::array kFilters = {std::pair{"nearest", vk::Filter::eNearest},
+                                 std::pair{"linear", vk::Filter::eLinear}};
 constexpr std::array kAddressModes = {std::pair{"Border", vk::SamplerAddressMode::eClampToBorder},
                                       std::pair{"Clamp", vk::SamplerAddressMode::eClampToEdge},
                                       std::pair{"Repeat", vk::SamplerAddressMode::eRepeat},

@@ -50,8 +50,7 @@ void ForEachBand(Device& device, const Image& image, uint64_t texelBytes, Copy c
     const auto [width, height] = image.Extent();
     const uint64_t rowBytes = uint64_t{width} * BytesPerTexel(image.Desc().format);
     BOXCAR_ASSERT(texelBytes == rowBytes * height);
-    const uint32_t rowsPerBand =
-        static_cast<uint32_t>(std::clamp<uint64_t>(kStagingBytes / rowBytes, 1, height));
+    const uint32_t rowsPerBand = static_cast<uint32_t>(std::clamp<uint64_t>(kStagingBytes / rowBytes, 1, height));
     const StagingBuffer staging(device.impl(), rowsPerBand * rowBytes);
     for (uint32_t row = 0; row < height; row += rowsPerBand) {
         const uint32_t rows = std::min(rowsPerBand, height - row);
@@ -71,8 +70,8 @@ void WriteTexels(Device& device, const Image& image, std::span<const std::byte> 
                     std::memcpy(staging.Mapped(), texels.data() + at, bytes);
                     CommandList commands(device);
                     commands.Use(image, ImageUse::TransferTarget);
-                    commands.impl().own.copyBufferToImage(staging.Handle(), image.Handle(),
-                                                          image.impl().state.layout, region);
+                    commands.impl().own.copyBufferToImage(staging.Handle(), image.Handle(), image.impl().state.layout,
+                                                          region);
                     commands.SubmitAndWait();
                 });
 }
@@ -82,8 +81,8 @@ void ReadTexels(Device& device, const Image& image, std::span<std::byte> texels)
                 [&](const StagingBuffer& staging, const vk::BufferImageCopy& region, uint64_t at, uint64_t bytes) {
                     CommandList commands(device);
                     commands.Use(image, ImageUse::TransferSource);
-                    commands.impl().own.copyImageToBuffer(image.Handle(), image.impl().state.layout,
-                                                          staging.Handle(), region);
+                    commands.impl().own.copyImageToBuffer(image.Handle(), image.impl().state.layout, staging.Handle(),
+                                                          region);
                     const vk::MemoryBarrier2 toHost(
                         vk::PipelineStageFlagBits2::eTransfer, vk::AccessFlagBits2::eTransferWrite,
                         vk::PipelineStageFlagBits2::eHost, vk::AccessFlagBits2::eHostRead);

@@ -1,13 +1,12 @@
-// Private to runtime/: the Vulkan objects behind the public classes. Precompiled, because vulkan_raii.hpp costs seconds
-// in every file that includes it.
+// Private to runtime/: the Vulkan objects behind the public classes. Precompiled, because vulkan_raii.hpp costs
+// seconds in every file that includes it.
 #pragma once
-
-#include <vulkan/vulkan_raii.hpp>
 
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
+#include <vulkan/vulkan_raii.hpp>
 
 #include "runtime/command_list.h"
 #include "runtime/device.h"

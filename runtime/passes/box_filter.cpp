@@ -10,7 +10,7 @@ BoxFilter::BoxFilter(Device& device, const BoxFilterDesc& desc)
     : m_desc(desc),
       m_pipeline(device, {passes_shaders::Find("shaders/quad.vs"),
                           passes_shaders::Find(desc.edge == BoxEdge::Zero ? "shaders/sat_filter.ps.EDGE_ZERO=1"
-                                                                  : "shaders/sat_filter.ps.EDGE_ZERO=0")}),
+                                                                          : "shaders/sat_filter.ps.EDGE_ZERO=0")}),
       m_result(device, {desc.extent, Format::RGBA32F, "filtered"}) {}
 
 const Image& BoxFilter::Record(CommandList& commands, const Image& table, glm::vec2 sizeTexels) {

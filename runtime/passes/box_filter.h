@@ -29,8 +29,8 @@ public:
     // Throws Error: extent is 0 or over the device's limit.
     BoxFilter(Device& device, const BoxFilterDesc& desc);
 
-    // `sizeTexels`: full width and height of the box, any real; below 1 acts as 1. Returns the filtered image, RGBA32F,
-    // readable by shaders up to the next Record() on the same object.
+    // `sizeTexels`: full width and height of the box, any real; below 1 acts as 1. Returns the filtered image,
+    // RGBA32F, readable by shaders up to the next Record() on the same object.
     const Image& Record(CommandList& commands, const Image& table, glm::vec2 sizeTexels);
 
 private:

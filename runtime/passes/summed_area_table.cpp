@@ -25,7 +25,8 @@ PipelineDesc PassShaders(uint32_t taps, TapAddressing addressing) {
 
 uint32_t SummedAreaTablePassCount(uint32_t sizeTexels, uint32_t taps) {
     uint32_t passes = 0;
-    for (uint64_t reach = 1; reach < sizeTexels; reach *= taps) passes++;
+    for (uint64_t reach = 1; reach < sizeTexels; reach *= taps)
+        passes++;
     return passes;
 }
 
@@ -38,13 +39,13 @@ SummedAreaTable::SummedAreaTable(Device& device, const SummedAreaTableDesc& desc
         if (!m_passes.contains(step.taps))
             m_passes.emplace(step.taps, Pipeline(device, PassShaders(step.taps, desc.addressing)));
     if (desc.bias != glm::vec4(0))
-        m_takeOffBias.emplace(
-            device, PipelineDesc{passes_shaders::Find("shaders/quad.vs"), passes_shaders::Find("shaders/sat_bias.ps")});
+        m_takeOffBias.emplace(device, PipelineDesc{passes_shaders::Find("shaders/quad.vs"),
+                                                   passes_shaders::Find("shaders/sat_bias.ps")});
 }
 
-// Pass i leaves out the first taps^(i-1) texels of its axis: the pass before the last one has put their final sums into
-// this target already. (taps^i, as the paper has it, would leave stale texels in one of the two targets.) The first two
-// passes of all write everything: until then a target holds nothing.
+// Pass i leaves out the first taps^(i-1) texels of its axis: the pass before the last one has put their final sums
+// into this target already. (taps^i, as the paper has it, would leave stale texels in one of the two targets.) The
+// first two passes of all write everything: until then a target holds nothing.
 void SummedAreaTable::AddAxis(uint32_t sizeTexels, glm::ivec2 axis) {
     const uint32_t passes = SummedAreaTablePassCount(sizeTexels, m_desc.taps);
     uint32_t stride = 1;
@@ -54,8 +55,10 @@ void SummedAreaTable::AddAxis(uint32_t sizeTexels, glm::ivec2 axis) {
         (axis.x ? area.xTexels : area.yTexels) = finished;
         (axis.x ? area.widthTexels : area.heightTexels) -= finished;
         uint32_t taps = m_desc.taps;
-        while (taps > 2 && stride * (taps / 2) >= sizeTexels) taps /= 2;
-        m_steps.push_back({fmt::format("table {}{}", axis.x ? 'x' : 'y', i), taps, static_cast<int>(stride) * axis, area});
+        while (taps > 2 && stride * (taps / 2) >= sizeTexels)
+            taps /= 2;
+        m_steps.push_back(
+            {fmt::format("table {}{}", axis.x ? 'x' : 'y', i), taps, static_cast<int>(stride) * axis, area});
     }
 }
 

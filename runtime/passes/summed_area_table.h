@@ -3,8 +3,8 @@
 //   source, W x H  ->  [- bias]  ->  P(W) passes along x  ->  P(H) passes along y  ->  table, W x H
 //
 //   P(n) = ceil(log n / log taps). Each pass adds `taps` texels, taps^i apart in the i-th of its axis, into the other
-//   of two targets, and leaves out the texels that hold their final sum in both. The last pass of an axis adds only as
-//   many as are left: 512 texels with 16 taps take passes of 16, 16 and 2. hlsl/boxcar/sat_build.hlsli is the
+//   of two targets, and leaves out the texels that hold their final sum in both. The last pass of an axis adds only
+//   as many as are left: 512 texels with 16 taps take passes of 16, 16 and 2. hlsl/boxcar/sat_build.hlsli is the
 //   arithmetic of one pass; hlsl/boxcar/sat.hlsli reads the table; box_filter.h filters with it.
 //
 // Hensley 2005, sect. 3 and 4; Scheuermann 2005 (SATPass)
@@ -12,7 +12,6 @@
 
 #include <glm/ext/vector_int2.hpp>
 #include <glm/vec4.hpp>
-
 #include <map>
 #include <optional>
 #include <string>
@@ -42,8 +41,8 @@ uint32_t SummedAreaTablePassCount(uint32_t sizeTexels, uint32_t taps);
 // Holds the pipelines and the two targets: 32 bytes of device memory per texel. Move-only. Not thread-safe.
 class SummedAreaTable {
 public:
-    // Throws Error: extent is 0 or over the device's limit; taps is not one of the four. The message names the value and
-    // the limit.
+    // Throws Error: extent is 0 or over the device's limit; taps is not one of the four. The message names the value
+    // and the limit.
     SummedAreaTable(Device& device, const SummedAreaTableDesc& desc);
 
     // Appends the passes and their barriers to `commands`; returns the table, RGBA32F, readable by shaders from this

@@ -33,7 +33,8 @@ private:
 }  // namespace
 
 void AddBatchOptions(CLI::App& command, BatchOptions& options) {
-    command.add_option("IN", options.files.inputs, "PNG, JPEG, HDR, EXR or PFM pictures; - is standard input")->required();
+    command.add_option("IN", options.files.inputs, "PNG, JPEG, HDR, EXR or PFM pictures; - is standard input")
+        ->required();
     command.add_option("-o,--output", options.files.output, "File, folder/ or - for standard output")
         ->required()
         ->type_name("OUT");
@@ -42,11 +43,13 @@ void AddBatchOptions(CLI::App& command, BatchOptions& options) {
         ->type_name("F");
     AddReadOptions(command, options.read);
     AddDeviceOptions(command, options.device);
-    command.add_flag("--stats", options.stats, "Print device, passes, milliseconds a pass and device memory to stderr");
+    command.add_flag("--stats", options.stats,
+                     "Print device, passes, milliseconds a pass and device memory to stderr");
     command.add_flag("--json", options.json, "Print the same as one JSON document on stdout");
 }
 
-void RunBatch(const std::string& command, const BatchOptions& options, const std::vector<Job>& jobs, const Work& work) {
+void RunBatch(const std::string& command, const BatchOptions& options, const std::vector<Job>& jobs,
+              const Work& work) {
     if (options.json && options.files.output == "-")
         throw UsageError("--json and -o - would both write to standard output");
     CheckedDevice device(options.device);

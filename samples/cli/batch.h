@@ -2,7 +2,6 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-
 #include <functional>
 
 #include "samples/cli/options.h"
@@ -25,6 +24,7 @@ void AddBatchOptions(CLI::App& command, BatchOptions& options);
 using Work = std::function<Stats(Device&, const Job&)>;
 
 // Runs `work` for each input. An input that fails is reported and the others go on; then this throws Error.
-void RunBatch(const std::string& command, const BatchOptions& options, const std::vector<Job>& jobs, const Work& work);
+void RunBatch(const std::string& command, const BatchOptions& options, const std::vector<Job>& jobs,
+              const Work& work);
 
 }  // namespace boxcar

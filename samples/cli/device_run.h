@@ -1,9 +1,8 @@
 // Texels up, passes run, texels down: what every command does with the device.
 #pragma once
 
-#include <glm/vec4.hpp>
-
 #include <functional>
+#include <glm/vec4.hpp>
 #include <vector>
 
 #include "runtime/command_list.h"

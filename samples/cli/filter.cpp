@@ -68,7 +68,8 @@ void AddFilterCommand(CLI::App& app) {
                     "clip: divide by the area inside the picture (default); zero: the picture is 0 outside")
         ->check(CLI::IsMember({"clip", "zero"}))
         ->type_name("E");
-    command.add_option("--bits", options->bits, "Bits of a PNG's samples: 8 or 16 (default: as the input, float as 8)")
+    command
+        .add_option("--bits", options->bits, "Bits of a PNG's samples: 8 or 16 (default: as the input, float as 8)")
         ->check(CLI::IsMember({8, 16}))
         ->type_name("B");
     command.callback([options] {

@@ -29,8 +29,7 @@ struct Photograph {
     Picture picture;
     std::vector<glm::vec4> texels;
 
-    Photograph(const std::string& name, const uint8_t* begin, const uint8_t* end,
-               Transfer transfer = Transfer::Srgb)
+    Photograph(const std::string& name, const uint8_t* begin, const uint8_t* end, Transfer transfer = Transfer::Srgb)
         : picture(DecodePicture({begin, end}, name)), texels(ToLight(picture, transfer)) {}
 
     Extent2D Extent() const { return {picture.widthTexels, picture.heightTexels}; }
@@ -60,9 +59,9 @@ private:
 
     Texels Blur(const Photograph& source, glm::vec2 sizeTexels, BoxEdge edge = BoxEdge::Clip) {
         const bool bounded = source.picture.stored != SampleType::Float32;
-        BoxBlur blur(m_device, {.extent = source.Extent(),
-                                .edge = edge,
-                                .bias = bounded ? MeanTexel(source.texels) : glm::vec4(0)});
+        BoxBlur blur(
+            m_device,
+            {.extent = source.Extent(), .edge = edge, .bias = bounded ? MeanTexel(source.texels) : glm::vec4(0)});
         return Run(source, [&](CommandList& commands, const Image& image) -> const Image& {
             return blur.Record(commands, image, sizeTexels);
         });
@@ -85,26 +84,31 @@ private:
 };
 
 std::vector<glm::vec4> Scaled(std::vector<glm::vec4> texels, glm::vec4 factor) {
-    for (glm::vec4& texel : texels) texel *= factor;
+    for (glm::vec4& texel : texels)
+        texel *= factor;
     return texels;
 }
 
 glm::vec4 Largest(const std::vector<glm::vec4>& texels) {
     glm::vec4 largest(1e-20f);
-    for (const glm::vec4& texel : texels) largest = glm::max(largest, texel);
+    for (const glm::vec4& texel : texels)
+        largest = glm::max(largest, texel);
     return largest;
 }
 
 void Gallery::PhotographAtSeveralWidths() {
     GallerySection section{
-        "One photograph, several widths", "Crow 1984; Hensley 2005, sect. 2",
-        "Each texel becomes the mean of a box round it. One table serves every width, and each costs the same: 16 loads a "
+        "One photograph, several widths",
+        "Crow 1984; Hensley 2005, sect. 2",
+        "Each texel becomes the mean of a box round it. One table serves every width, and each costs the same: 16 "
+        "loads a "
         "texel. Look at the rim: it neither darkens nor brightens, because the box is clipped to the picture.",
-        {}, {}};
+        {},
+        {}};
     section.figures.push_back(Save("fruits_1.png", m_fruits.texels, m_fruits, "The photograph (width 1)."));
     for (const float width : {5.0f, 17.0f, 65.0f})
-        section.figures.push_back(Save(fmt::format("fruits_{:g}.png", width), Blur(m_fruits, {width, width}), m_fruits,
-                                       fmt::format("{0:g} x {0:g} texels.", width)));
+        section.figures.push_back(Save(fmt::format("fruits_{:g}.png", width), Blur(m_fruits, {width, width}),
+                                       m_fruits, fmt::format("{0:g} x {0:g} texels.", width)));
     section.figures.push_back(Save("building_1.png", m_building.texels, m_building, "Another photograph."));
     section.figures.push_back(Save("building_49x1.png", Blur(m_building, {49, 1}), m_building,
                                    "49 x 1 texels: width and height are free of one another."));
@@ -112,18 +116,21 @@ void Gallery::PhotographAtSeveralWidths() {
 }
 
 void Gallery::StepsOfTheBuild() {
-    GallerySection section{
-        "The table after each pass", "Hensley 2005, Fig. 3; Scheuermann 2005 (the 4 x 4 example)",
-        "Recursive doubling: each pass adds to a texel the one 1, 2, 4, .. texels to its left, then above it. The numbers "
-        "were read back from the device; the last grid is Scheuermann's table.",
-        {}, {}};
+    GallerySection section{"The table after each pass",
+                           "Hensley 2005, Fig. 3; Scheuermann 2005 (the 4 x 4 example)",
+                           "Recursive doubling: each pass adds to a texel the one 1, 2, 4, .. texels to its left, "
+                           "then above it. The numbers "
+                           "were read back from the device; the last grid is Scheuermann's table.",
+                           {},
+                           {}};
 
     const std::vector<std::vector<float>> example = {{2, 3, 2, 1}, {3, 0, 1, 2}, {1, 3, 1, 0}, {1, 4, 2, 2}};
     Photograph small = m_fruits;
     small.picture.widthTexels = small.picture.heightTexels = 4;
     small.texels.clear();
     for (const auto& row : example)
-        for (const float value : row) small.texels.emplace_back(value);
+        for (const float value : row)
+            small.texels.emplace_back(value);
     section.grids.push_back({"source", example});
     SummedAreaTable smallTable(m_device, {.extent = small.Extent(), .taps = 2});
     for (uint32_t pass = 1; pass <= smallTable.Passes(); pass++) {
@@ -133,7 +140,8 @@ void Gallery::StepsOfTheBuild() {
         NumberGrid grid{fmt::format("after pass {} of {}, 2 taps", pass, smallTable.Passes()), {}};
         for (size_t y = 0; y < 4; y++) {
             auto& row = grid.rows.emplace_back();
-            for (size_t x = 0; x < 4; x++) row.push_back(texels[4 * y + x].r);
+            for (size_t x = 0; x < 4; x++)
+                row.push_back(texels[4 * y + x].r);
         }
         section.grids.push_back(std::move(grid));
     }
@@ -143,20 +151,23 @@ void Gallery::StepsOfTheBuild() {
         const Texels texels = Run(m_fruits, [&](CommandList& commands, const Image& image) -> const Image& {
             return table.RecordFirst(commands, image, pass);
         });
-        section.figures.push_back(
-            Save(fmt::format("build_pass_{}.png", pass), Scaled(texels, 1.0f / Largest(texels)), m_fruits,
-                 fmt::format("After pass {} of {}, 8 taps; each channel divided by its largest sum, {:.4g} for green.",
-                             pass, table.Passes(), Largest(texels).g)));
+        section.figures.push_back(Save(
+            fmt::format("build_pass_{}.png", pass), Scaled(texels, 1.0f / Largest(texels)), m_fruits,
+            fmt::format("After pass {} of {}, 8 taps; each channel divided by its largest sum, {:.4g} for green.",
+                        pass, table.Passes(), Largest(texels).g)));
     }
     m_sections.push_back(std::move(section));
 }
 
 void Gallery::TableAsAPicture() {
     GallerySection section{
-        "The table as a picture", "Green 2003 (\"Summed Area Table (scaled)\")",
-        "Sums grow to the right and down, so the table is black at the top left and brightest at the bottom right. Less "
+        "The table as a picture",
+        "Green 2003 (\"Summed Area Table (scaled)\")",
+        "Sums grow to the right and down, so the table is black at the top left and brightest at the bottom right. "
+        "Less "
         "its mean, the picture's table rises and falls instead, and stays small: that is what keeps float32 precise.",
-        {}, {}};
+        {},
+        {}};
     const auto tableOf = [&](glm::vec4 bias) {
         SummedAreaTable table(m_device, {.extent = m_fruits.Extent(), .bias = bias});
         return Run(m_fruits, [&](CommandList& commands, const Image& image) -> const Image& {
@@ -172,11 +183,13 @@ void Gallery::TableAsAPicture() {
     Texels centred = tableOf(MeanTexel(m_fruits.texels));
     float largest = 0;
     for (const glm::vec4& texel : centred)
-        for (int c = 0; c < 3; c++) largest = std::max(largest, std::abs(texel[c]));
-    for (glm::vec4& texel : centred) texel = 0.5f + 0.5f / largest * texel;
-    section.figures.push_back(Save("table_less_mean.png", centred, m_fruits,
-                                   fmt::format("The table of the picture less its mean; grey is 0, white {:.0f}.", largest),
-                                   Transfer::Raw));
+        for (int c = 0; c < 3; c++)
+            largest = std::max(largest, std::abs(texel[c]));
+    for (glm::vec4& texel : centred)
+        texel = 0.5f + 0.5f / largest * texel;
+    section.figures.push_back(Save(
+        "table_less_mean.png", centred, m_fruits,
+        fmt::format("The table of the picture less its mean; grey is 0, white {:.0f}.", largest), Transfer::Raw));
     m_sections.push_back(std::move(section));
 }
 
@@ -184,50 +197,62 @@ void Gallery::VerbatimAndCorrected() {
     constexpr float kWidth = 9;
     constexpr float kGain = 8;
     GallerySection section{
-        "The printed lookup and the corrected one", "Scheuermann 2005 (tex2D_SAT_blur)",
-        "As printed, the lookup divides by an area in uv (W x H times too bright; undone here so that there is something "
+        "The printed lookup and the corrected one",
+        "Scheuermann 2005 (tex2D_SAT_blur)",
+        "As printed, the lookup divides by an area in uv (W x H times too bright; undone here so that there is "
+        "something "
         "to see), lies a whole texel too far to the right and down for odd widths, and is not clipped: the right and "
         "bottom rims go dark. The corrected one keeps the rim and the place.",
-        {}, {}};
+        {},
+        {}};
     SummedAreaTable table(m_device, {.extent = m_fruits.Extent()});
     SatVerbatimBlur verbatim(m_device, m_fruits.Extent());
     const float texelCount = static_cast<float>(m_fruits.Extent().Texels());
-    const Texels printed = Scaled(Run(m_fruits,
-                                      [&](CommandList& commands, const Image& image) -> const Image& {
-                                          return verbatim.Record(commands, table.Record(commands, image), {kWidth, kWidth});
-                                      }),
-                                  glm::vec4(1 / texelCount));
+    const Texels printed =
+        Scaled(Run(m_fruits,
+                   [&](CommandList& commands, const Image& image) -> const Image& {
+                       return verbatim.Record(commands, table.Record(commands, image), {kWidth, kWidth});
+                   }),
+               glm::vec4(1 / texelCount));
     const Texels corrected = Blur(m_fruits, {kWidth, kWidth});
     Texels difference = corrected;
     for (size_t i = 0; i < difference.size(); i++)
         difference[i] = glm::min(kGain * glm::abs(corrected[i] - printed[i]), glm::vec4(1));
     section.figures.push_back(Save("verbatim.png", printed, m_fruits, "As printed, divided by W x H; 9 x 9 texels."));
     section.figures.push_back(Save("corrected.png", corrected, m_fruits, "Corrected: SATSampleBox, 9 x 9 texels."));
-    section.figures.push_back(Save("verbatim_difference.png", difference, m_fruits,
-                                   "Their difference in linear light, times 8: contours from the shift, a white frame at the "
-                                   "right and the bottom from the missing clip, lines where the lookup, which lies on the "
-                                   "border of two texels, is rounded to the other one.",
-                                   Transfer::Raw));
+    section.figures.push_back(
+        Save("verbatim_difference.png", difference, m_fruits,
+             "Their difference in linear light, times 8: contours from the shift, a white frame at the "
+             "right and the bottom from the missing clip, lines where the lookup, which lies on the "
+             "border of two texels, is rounded to the other one.",
+             Transfer::Raw));
     m_sections.push_back(std::move(section));
 }
 
 void Gallery::EdgesOfThePicture() {
-    GallerySection section{"Two edges", "Crow 1984; Hensley 2005, sect. 3",
+    GallerySection section{"Two edges",
+                           "Crow 1984; Hensley 2005, sect. 3",
                            "What lies outside the picture: nothing, so that the box shrinks (clip), or black (zero).",
-                           {}, {}};
-    section.figures.push_back(Save("edge_clip.png", Blur(m_building, {129, 129}), m_building, "129 x 129 texels, clip."));
+                           {},
+                           {}};
+    section.figures.push_back(
+        Save("edge_clip.png", Blur(m_building, {129, 129}), m_building, "129 x 129 texels, clip."));
     section.figures.push_back(
         Save("edge_zero.png", Blur(m_building, {129, 129}, BoxEdge::Zero), m_building, "129 x 129 texels, zero."));
     m_sections.push_back(std::move(section));
 }
 
 void Gallery::LinearLightAndCodes() {
-    GallerySection section{"Linear light and raw codes", "beyond the papers",
-                           "A mean of sRGB codes is not the mean of the light: bright spots on dark ground lose their "
-                           "energy. The filter works in linear light unless it is told --transfer raw.",
-                           {}, {}};
+    GallerySection section{
+        "Linear light and raw codes",
+        "beyond the papers",
+        "A mean of sRGB codes is not the mean of the light: bright spots on dark ground lose their "
+        "energy. The filter works in linear light unless it is told --transfer raw.",
+        {},
+        {}};
     const Photograph codes("fruits.jpg", boxcar_fruits_jpg, boxcar_fruits_jpg_end, Transfer::Raw);
-    section.figures.push_back(Save("linear_light.png", Blur(m_fruits, {33, 33}), m_fruits, "33 x 33 texels in linear light."));
+    section.figures.push_back(
+        Save("linear_light.png", Blur(m_fruits, {33, 33}), m_fruits, "33 x 33 texels in linear light."));
     section.figures.push_back(
         Save("raw_codes.png", Blur(codes, {33, 33}), codes, "33 x 33 texels over the codes: darker.", Transfer::Raw));
     m_sections.push_back(std::move(section));
@@ -235,12 +260,15 @@ void Gallery::LinearLightAndCodes() {
 
 void Gallery::HdrEnvironment() {
     GallerySection section{
-        "A high dynamic range environment", "Hensley 2005, sect. 5.1",
+        "A high dynamic range environment",
+        "Hensley 2005, sect. 5.1",
         "Half-float light, filtered as it stands and shown as v / (1 + v): what glossy reflections are made of.",
-        {}, {}};
+        {},
+        {}};
     const Photograph city("city.exr", boxcar_city_exr, boxcar_city_exr_end);
     const auto shown = [](Texels texels) {
-        for (glm::vec4& texel : texels) texel = glm::vec4(glm::vec3(texel) / (1.0f + glm::vec3(texel)), texel.a);
+        for (glm::vec4& texel : texels)
+            texel = glm::vec4(glm::vec3(texel) / (1.0f + glm::vec3(texel)), texel.a);
         return texels;
     };
     section.figures.push_back(Save("city_1.png", shown(city.texels), city, "The environment (width 1)."));
@@ -257,10 +285,13 @@ void MakeGallery(const std::string& folder, const DeviceOptions& deviceOptions) 
     if (error) throw Error("{}: cannot make this folder: {}", folder, error.message());
 
     Gallery gallery(*device, folder);
-    constexpr void (Gallery::*kSections[])() = {
-        &Gallery::PhotographAtSeveralWidths, &Gallery::StepsOfTheBuild,     &Gallery::TableAsAPicture,
-        &Gallery::VerbatimAndCorrected,      &Gallery::EdgesOfThePicture,   &Gallery::LinearLightAndCodes,
-        &Gallery::HdrEnvironment};
+    constexpr void (Gallery::*kSections[])() = {&Gallery::PhotographAtSeveralWidths,
+                                                &Gallery::StepsOfTheBuild,
+                                                &Gallery::TableAsAPicture,
+                                                &Gallery::VerbatimAndCorrected,
+                                                &Gallery::EdgesOfThePicture,
+                                                &Gallery::LinearLightAndCodes,
+                                                &Gallery::HdrEnvironment};
     const bool terminal = isatty(STDERR_FILENO);
     for (size_t i = 0; i < std::size(kSections); i++) {
         if (terminal) fmt::print(stderr, "\r[{}/{}]", i + 1, std::size(kSections));
@@ -282,7 +313,8 @@ void AddGalleryCommand(CLI::App& app) {
         DeviceOptions device;
     };
     const auto options = std::make_shared<Options>();
-    CLI::App& command = *app.add_subcommand("gallery", "Make the papers' figures as pictures, with a page to look at them");
+    CLI::App& command =
+        *app.add_subcommand("gallery", "Make the papers' figures as pictures, with a page to look at them");
     command.footer("Example:\n  boxcar gallery -o gallery\n\nPrints the path of the page.");
     command.add_option("-o,--output", options->folder, "Folder; made if it is missing")->required()->type_name("DIR");
     AddDeviceOptions(command, options->device);

@@ -49,7 +49,8 @@ std::string GridHtml(const NumberGrid& grid) {
     std::string html = "<figure><table>";
     for (const auto& row : grid.rows) {
         html += "<tr>";
-        for (const float value : row) html += fmt::format("<td>{:g}</td>", value);
+        for (const float value : row)
+            html += fmt::format("<td>{:g}</td>", value);
         html += "</tr>";
     }
     return html + fmt::format("</table><figcaption>{}</figcaption></figure>\n", Escaped(grid.caption));
@@ -58,8 +59,9 @@ std::string GridHtml(const NumberGrid& grid) {
 std::string FigureHtml(const Figure& figure) {
     const std::string file = Escaped(figure.file);
     const std::string caption = Escaped(figure.caption);
-    return fmt::format("<figure><a href=\"{0}\"><img src=\"{0}\" alt=\"{1}\"></a><figcaption>{1}</figcaption></figure>\n",
-                       file, caption);
+    return fmt::format(
+        "<figure><a href=\"{0}\"><img src=\"{0}\" alt=\"{1}\"></a><figcaption>{1}</figcaption></figure>\n", file,
+        caption);
 }
 
 }  // namespace
@@ -69,8 +71,10 @@ std::string GalleryPage(const std::vector<GallerySection>& sections, const std::
     for (const GallerySection& section : sections) {
         html += fmt::format("<section>\n<h2>{}</h2>\n<p class=\"paper\">{}</p>\n<p>{}</p>\n<div class=\"figures\">\n",
                             Escaped(section.title), Escaped(section.paper), Escaped(section.text));
-        for (const NumberGrid& grid : section.grids) html += GridHtml(grid);
-        for (const Figure& figure : section.figures) html += FigureHtml(figure);
+        for (const NumberGrid& grid : section.grids)
+            html += GridHtml(grid);
+        for (const Figure& figure : section.figures)
+            html += FigureHtml(figure);
         html += "</div>\n</section>\n";
     }
     return html + fmt::format("<p class=\"paper\">Made on {}.</p>\n</body>\n</html>\n", Escaped(madeBy));

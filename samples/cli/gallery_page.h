@@ -19,8 +19,8 @@ struct NumberGrid {
 
 struct GallerySection {
     std::string title;
-    std::string paper;    // which figure or section of which paper it shows
-    std::string text;     // what to look for
+    std::string paper;  // which figure or section of which paper it shows
+    std::string text;   // what to look for
     std::vector<NumberGrid> grids;
     std::vector<Figure> figures;
 };

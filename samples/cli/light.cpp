@@ -13,16 +13,19 @@ std::vector<glm::vec4> ToLight(Picture picture, Transfer transfer) {
     std::vector<glm::vec4> texels(size_t{picture.widthTexels} * picture.heightTexels);
     const float* sample = picture.samples.data();
     for (glm::vec4& texel : texels)
-        for (int c = 0; c < channels; c++) texel[c] = *sample++;
+        for (int c = 0; c < channels; c++)
+            texel[c] = *sample++;
     return texels;
 }
 
-Picture FromLight(const std::vector<glm::vec4>& texels, const Picture& like, Transfer transfer, SampleType sampleType) {
+Picture FromLight(const std::vector<glm::vec4>& texels, const Picture& like, Transfer transfer,
+                  SampleType sampleType) {
     Picture picture{like.widthTexels, like.heightTexels, like.channels, sampleType, {}};
     picture.samples.reserve(texels.size() * like.channels);
     const int channels = static_cast<int>(picture.channels);
     for (const glm::vec4& texel : texels)
-        for (int c = 0; c < channels; c++) picture.samples.push_back(texel[c]);
+        for (int c = 0; c < channels; c++)
+            picture.samples.push_back(texel[c]);
     if (transfer == Transfer::Srgb && sampleType != SampleType::Float32) {
         Unpremultiply(picture);
         EncodeSrgb(picture);
@@ -32,7 +35,8 @@ Picture FromLight(const std::vector<glm::vec4>& texels, const Picture& like, Tra
 
 glm::vec4 MeanTexel(const std::vector<glm::vec4>& texels) {
     glm::dvec4 sum(0);
-    for (const glm::vec4& texel : texels) sum += glm::dvec4(texel);
+    for (const glm::vec4& texel : texels)
+        sum += glm::dvec4(texel);
     return glm::vec4(sum / static_cast<double>(texels.size()));
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <glm/vec4.hpp>
-
 #include <vector>
 
 #include "samples/cli/options.h"
@@ -10,13 +9,14 @@
 
 namespace boxcar {
 
-// RGBA texels of what is filtered, rows from the top. Under Srgb: linear light, colours times alpha. (Float files hold
-// that already, by the convention of EXR.) Channels that the picture does not have are 0.
+// RGBA texels of what is filtered, rows from the top. Under Srgb: linear light, colours times alpha. (Float files
+// hold that already, by the convention of EXR.) Channels that the picture does not have are 0.
 std::vector<glm::vec4> ToLight(Picture picture, Transfer transfer);
 
-// The picture that `texels` are to be in a file with samples of `sampleType`. Under Srgb, integers hold sRGB codes and
-// colours not multiplied by alpha; floats hold the texels as they are.
-Picture FromLight(const std::vector<glm::vec4>& texels, const Picture& like, Transfer transfer, SampleType sampleType);
+// The picture that `texels` are to be in a file with samples of `sampleType`. Under Srgb, integers hold sRGB codes
+// and colours not multiplied by alpha; floats hold the texels as they are.
+Picture FromLight(const std::vector<glm::vec4>& texels, const Picture& like, Transfer transfer,
+                  SampleType sampleType);
 
 // The mean texel, summed in double.
 glm::vec4 MeanTexel(const std::vector<glm::vec4>& texels);

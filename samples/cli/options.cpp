@@ -23,7 +23,8 @@ double ParseLength(const std::string& flag, const std::string& whole, std::strin
 }  // namespace
 
 void AddDeviceOptions(CLI::App& command, DeviceOptions& options) {
-    command.add_option("--device", options.selector, "Vulkan device: an index or a part of its name (boxcar devices)")
+    command
+        .add_option("--device", options.selector, "Vulkan device: an index or a part of its name (boxcar devices)")
         ->type_name("D");
     command.add_flag("--validation", options.validation, "Run under the validation layer; a message is a failure");
 }
@@ -42,15 +43,17 @@ void CheckedDevice::RequireClean() const {
 
 void AddReadOptions(CLI::App& command, ReadOptions& options) {
     command
-        .add_option("--transfer", options.transferWord,
-                    "srgb: filter in linear light (the default for 8 and 16-bit files); raw: take values as they stand "
-                    "(the default for float files)")
+        .add_option(
+            "--transfer", options.transferWord,
+            "srgb: filter in linear light (the default for 8 and 16-bit files); raw: take values as they stand "
+            "(the default for float files)")
         ->check(CLI::IsMember({"srgb", "raw"}))
         ->type_name("T");
     command.add_option("--nan", options.nanWord, "What to do with NaN and infinity: refuse (default) or zero")
         ->check(CLI::IsMember({"refuse", "zero"}))
         ->type_name("N");
-    command.add_option("--taps", options.taps, "Texels added per pass while the table is built: 2, 4 (default), 8, 16")
+    command
+        .add_option("--taps", options.taps, "Texels added per pass while the table is built: 2, 4 (default), 8, 16")
         ->check(CLI::IsMember({"2", "4", "8", "16"}))
         ->type_name("T");
 }
@@ -61,8 +64,9 @@ Picture ReadForDevice(const std::string& path, const Device& device, const ReadO
     if (options.nanWord == "zero") {
         ZeroNotFinite(picture);
     } else if (const auto at = FirstNotFinite(picture)) {
-        throw Error("{}: NaN or infinity at ({}, {}), which would poison the table from there on; --nan zero replaces it",
-                    path, at->x, at->y);
+        throw Error(
+            "{}: NaN or infinity at ({}, {}), which would poison the table from there on; --nan zero replaces it",
+            path, at->x, at->y);
     }
     return picture;
 }
@@ -72,7 +76,9 @@ Transfer TransferFor(const Picture& picture, const ReadOptions& options) {
     return options.transferWord == "srgb" ? Transfer::Srgb : Transfer::Raw;
 }
 
-uint32_t Taps(const ReadOptions& options) { return static_cast<uint32_t>(std::stoul(options.taps)); }
+uint32_t Taps(const ReadOptions& options) {
+    return static_cast<uint32_t>(std::stoul(options.taps));
+}
 
 glm::vec2 ParseSize(const std::string& flag, const std::string& text) {
     const size_t cross = text.find('x');

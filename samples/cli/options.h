@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <glm/vec2.hpp>
-
 #include <optional>
 #include <string>
 

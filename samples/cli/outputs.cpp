@@ -10,7 +10,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string EndingOf(const std::string& formatWord) { return formatWord == "jpeg" ? ".jpg" : "." + formatWord; }
+std::string EndingOf(const std::string& formatWord) {
+    return formatWord == "jpeg" ? ".jpg" : "." + formatWord;
+}
 
 FileFormat FormatOf(const std::string& path) {
     try {
@@ -31,14 +33,16 @@ std::vector<Job> PlanJobs(const OutputOptions& options) {
         if (options.inputs.size() > 1)
             throw UsageError("-o {}: {} inputs need a folder, as in -o {}/", options.output, options.inputs.size(),
                              options.output);
-        if (options.output == "-" && !forced) throw UsageError("-o -: standard output needs --format png, jpg, exr or pfm");
+        if (options.output == "-" && !forced)
+            throw UsageError("-o -: standard output needs --format png, jpg, exr or pfm");
         return {{options.inputs[0], options.output, forced ? *forced : FormatOf(options.output)}};
     }
 
     std::vector<Job> jobs;
     std::map<std::string, std::string> inputOf;
     for (const std::string& input : options.inputs) {
-        if (input == "-") throw UsageError("-o {}: standard input has no name to keep in a folder; give a file", options.output);
+        if (input == "-")
+            throw UsageError("-o {}: standard input has no name to keep in a folder; give a file", options.output);
         fs::path name = fs::path(input).filename();
         if (forced) name.replace_extension(EndingOf(options.formatWord));
         const std::string output = (fs::path(options.output) / name).string();

@@ -22,8 +22,9 @@ struct Job {
 };
 
 // One input: OUT is a file, "-" (which needs --format), or a folder (a name that ends in / or an existing folder).
-// Several inputs: OUT is a folder; each keeps its name, with the ending of --format where that is given. The folder is
-// made if it is missing. Throws UsageError: no such combination, an unknown ending, two inputs that would be one output.
+// Several inputs: OUT is a folder; each keeps its name, with the ending of --format where that is given. The folder
+// is made if it is missing. Throws UsageError: no such combination, an unknown ending, two inputs that would be one
+// output.
 std::vector<Job> PlanJobs(const OutputOptions& options);
 
 }  // namespace boxcar

@@ -16,10 +16,9 @@ Stats WriteTable(Device& device, const Job& job, const ReadOptions& options) {
     const Extent2D extent{picture.widthTexels, picture.heightTexels};
 
     SummedAreaTable table(device, {.extent = extent, .taps = Taps(options)});
-    DeviceRun run = RunOnDevice(device, extent, ToLight(picture, transfer),
-                                [&](CommandList& commands, const Image& source) -> const Image& {
-                                    return table.Record(commands, source);
-                                });
+    DeviceRun run = RunOnDevice(
+        device, extent, ToLight(picture, transfer),
+        [&](CommandList& commands, const Image& source) -> const Image& { return table.Record(commands, source); });
 
     WritePicture(FromLight(run.texels, picture, transfer, SampleType::Float32), job.output, job.format,
                  SampleType::Float32);
@@ -32,7 +31,8 @@ void AddSatCommand(CLI::App& app) {
     const auto options = std::make_shared<BatchOptions>();
     CLI::App& command = *app.add_subcommand("sat", "Write the summed-area table of a picture, as floats");
     command.footer(
-        "Entry (x, y) is the sum of all texels left of and above it, itself included, in float32. Under srgb the sums\n"
+        "Entry (x, y) is the sum of all texels left of and above it, itself included, in float32. Under srgb the "
+        "sums\n"
         "are of linear light, colours times alpha.\n\n"
         "Example:\n"
         "  boxcar sat photo.png -o table.exr --transfer raw");

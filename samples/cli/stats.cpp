@@ -7,7 +7,8 @@ namespace {
 
 double TotalMilliseconds(const Stats& stats) {
     double total = 0;
-    for (const PassTime& pass : stats.passes) total += pass.milliseconds;
+    for (const PassTime& pass : stats.passes)
+        total += pass.milliseconds;
     return total;
 }
 
@@ -21,14 +22,16 @@ nlohmann::ordered_json ToJson(const Stats& stats) {
                                    {"device_bytes", stats.deviceBytes},
                                    {"device_ms", TotalMilliseconds(stats)}};
     json["passes"] = nlohmann::ordered_json::array();
-    for (const PassTime& pass : stats.passes) json["passes"].push_back({{"name", pass.name}, {"ms", pass.milliseconds}});
+    for (const PassTime& pass : stats.passes)
+        json["passes"].push_back({{"name", pass.name}, {"ms", pass.milliseconds}});
     return json;
 }
 
 void PrintStats(const Stats& stats, const DeviceInfo& device) {
     fmt::print(stderr, "{} -> {}: {} x {}\n  device   {}, {}\n", stats.input, stats.output, stats.extent.widthTexels,
                stats.extent.heightTexels, device.name, device.driver);
-    for (const PassTime& pass : stats.passes) fmt::print(stderr, "  {:8} {:9.3f} ms\n", pass.name, pass.milliseconds);
+    for (const PassTime& pass : stats.passes)
+        fmt::print(stderr, "  {:8} {:9.3f} ms\n", pass.name, pass.milliseconds);
     fmt::print(stderr, "  {} passes {:.3f} ms; device memory {:.1f} MiB\n", stats.passes.size(),
                TotalMilliseconds(stats), static_cast<double>(stats.deviceBytes) / (1 << 20));
 }

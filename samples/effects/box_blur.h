@@ -25,7 +25,8 @@ public:
     // Throws Error as SummedAreaTable does.
     BoxBlur(Device& device, const BoxBlurDesc& desc);
 
-    // `sizeTexels`: full width and height of the box, any real; below 1 acts as 1. Returns the blurred image, RGBA32F.
+    // `sizeTexels`: full width and height of the box, any real; below 1 acts as 1. Returns the blurred image,
+    // RGBA32F.
     const Image& Record(CommandList& commands, const Image& source, glm::vec2 sizeTexels);
 
     // Passes of building the table.

@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <csetjmp>
-#include <cstdio>  // jpeglib.h needs it
 #include <cstdlib>
 #include <limits>
 #include <memory>
 #include <numeric>
 #include <utility>
 
+// jpeglib.h needs what is before it.
+// clang-format off
+#include <cstdio>
 #include <jpeglib.h>
+// clang-format on
 
 #include "samples/files/codecs.h"
 #include "samples/files/stb.h"

@@ -56,7 +56,8 @@ FileFormat FormatFromWord(const std::string& word);
 // window.  PFM: 1 or 3 channels, both byte orders, the scale's size unused.  Bytes after the picture are no fault.
 //
 // Throws Error, one line that begins with the path: it cannot be read, is empty, cut off, damaged, of no known
-// format, or over a limit. What is returned is a whole picture.
+// format, or over a limit. What is returned is a whole picture, but for one case that stb does not tell: a
+// JPEG whose data break off and that yet has an end marker is grey from there on.
 Picture ReadPicture(const std::string& path, const PictureLimits& limits = {}, std::optional<FileFormat> format = {});
 
 // The same from memory; `name` stands for the path in errors.
@@ -74,9 +75,8 @@ void RequireWritable(const std::string& path, FileFormat format, uint32_t channe
 // or Y [A]), PFM (little-endian, bottom row first, 1 or 3 channels).
 //
 //   path        as of WriteFileAtomically, which says when it throws Error
-//   sampleType  PNG: Unorm8 or Unorm16; JPEG: Unorm8; EXR and PFM: Float32. Integers are clamped to [0,1] and rounded
-//   to
-//               nearest; NaN becomes 0.
+//   sampleType  PNG: Unorm8 or Unorm16; JPEG: Unorm8; EXR and PFM: Float32. For integers samples are clamped to [0,1]
+//               and rounded to nearest; NaN becomes 0.
 void WritePicture(const Picture& picture, const std::string& path, FileFormat format, SampleType sampleType);
 
 }  // namespace boxcar

@@ -42,7 +42,6 @@ TEST(ManifestTest, LineBecomesAShaderWithItsFlags) {
     EXPECT_EQ(jobs[0].options.stage, ShaderStage::Pixel);
     EXPECT_EQ(jobs[0].options.defines, (std::vector<Define>{{"A", "1"}}));
     EXPECT_EQ(jobs[0].options.optimization, 1);
-    EXPECT_EQ(jobs[0].line, 3);
 }
 
 TEST(ManifestTest, OutputIsNamedAfterFileAndEntryAndPermutation) {

@@ -8,7 +8,7 @@ namespace {
 // Without the texts themselves there are no columns: only file and line are looked at here.
 class OutlineTest : public testing::Test {
 protected:
-    Outline Make(std::string_view text) { return Outline(text, "a.hlsl", m_source); }
+    Outline Make(const std::string& text) { return Outline(text, "a.hlsl", m_source); }
     static SourcePlace At(const char* file, int line) { return {file, line, 0}; }
 
     Source m_source{"", {}};
@@ -89,7 +89,8 @@ TEST_F(OutlineTest, OutputIsAFieldOfTheResultOrAnOutParameterOrTheFunction) {
 }
 
 TEST_F(OutlineTest, TextWithUnpairedBracketsIsSurvived) {
-    for (const char* text : {"", "}}}}", "((((", "main(", "struct S {", "struct main(", ":", "main( ) :"}) {
+    for (const char* text : {"", "}}}}", "((((", "main(", "struct S {", "struct main(", ":",
+                             "main( ) :", "struct S { S s; }; S main(S s) {"}) {
         const Outline outline = Make(text);
         EXPECT_EQ(outline.Input("main", "x"), At("a.hlsl", 1)) << text;
         EXPECT_EQ(outline.Output("main", "x"), At("a.hlsl", 1)) << text;

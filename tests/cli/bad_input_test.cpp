@@ -20,7 +20,8 @@ protected:
     }
 
     // The command fails with this code and this one line, prints nothing else, and writes nothing.
-    void Refused(const std::string& arguments, int exitCode, const std::string& line, const std::string& environment = "") {
+    void Refused(const std::string& arguments, int exitCode, const std::string& line,
+                 const std::string& environment = "") {
         const auto before = m_folder.Names();
         const Outcome outcome = m_folder.Run(arguments, environment);
         EXPECT_EQ(outcome.exitCode, exitCode) << arguments;
@@ -60,7 +61,8 @@ TEST_F(BadInput, FilesThatAreNoPictures) {
 }
 
 TEST_F(BadInput, TruncatedPictures) {
-    WritePicture(RandomPicture(60, 40, 3, SampleType::Unorm8), m_folder.Path("a.jpg"), FileFormat::Jpeg, SampleType::Unorm8);
+    WritePicture(RandomPicture(60, 40, 3, SampleType::Unorm8), m_folder.Path("a.jpg"), FileFormat::Jpeg,
+                 SampleType::Unorm8);
     for (const auto& [name, format] : {std::pair{"a.exr", FileFormat::Exr}, std::pair{"a.pfm", FileFormat::Pfm}})
         WritePicture(RandomPicture(60, 40, 3, SampleType::Float32), m_folder.Path(name), format, SampleType::Float32);
     for (const char* name : {"ok.png", "a.jpg", "a.exr", "a.pfm"}) {
@@ -92,21 +94,27 @@ TEST_F(BadInput, SizesThatDoNotFit) {
 TEST_F(BadInput, OutputsThatCannotBe) {
     Refused("filter ok.png -o out.gif --width 3", 2,
             "out.gif: the name says no format; an ending .png, .jpg, .jpeg, .exr or .pfm is expected");
-    Refused("filter ok.png -o out.hdr --width 3", 1, "out.hdr: HDR is read, not written; .exr or .pfm holds the same");
+    Refused("filter ok.png -o out.hdr --width 3", 1,
+            "out.hdr: HDR is read, not written; .exr or .pfm holds the same");
     Refused("filter alpha.png -o out.pfm --width 3", 1, "out.pfm: PFM holds no alpha; EXR does");
     Refused("filter alpha.png -o out.jpg --width 3", 1, "out.jpg: JPEG holds no alpha; PNG and EXR do");
-    Refused("filter ok.png -o missing/out.png --width 3", 1, "missing/out.png: cannot be written: No such file or directory");
-    Refused("filter ok.png -o /dev/full --format png --width 3", 1, "/dev/full: cannot be written: No space left on device");
+    Refused("filter ok.png -o missing/out.png --width 3", 1,
+            "missing/out.png: cannot be written: No such file or directory");
+    Refused("filter ok.png -o /dev/full --format png --width 3", 1,
+            "/dev/full: cannot be written: No space left on device");
     Refused("filter ok.png -o - --width 3", 2, "-o -: standard output needs --format png, jpg, exr or pfm");
-    Refused("filter ok.png -o - --format png --json --width 3", 2, "--json and -o - would both write to standard output");
-    Refused("filter ok.png alpha.png -o out.png --width 3", 2, "-o out.png: 2 inputs need a folder, as in -o out.png/");
+    Refused("filter ok.png -o - --format png --json --width 3", 2,
+            "--json and -o - would both write to standard output");
+    Refused("filter ok.png alpha.png -o out.png --width 3", 2,
+            "-o out.png: 2 inputs need a folder, as in -o out.png/");
     Refused("filter ok.png ./ok.png -o ./ --width 3", 2, "ok.png and ./ok.png would both be written to ./ok.png");
     Refused("gallery -o ok.png/gallery", 1, "ok.png/gallery: cannot make this folder: Not a directory");
 }
 
 TEST_F(BadInput, NoVulkanDriver) {
-    const std::string line = "no Vulkan driver: install one, such as mesa-vulkan-drivers, and see that VK_ICD_FILENAMES, "
-                             "if it is set, names it";
+    const std::string line =
+        "no Vulkan driver: install one, such as mesa-vulkan-drivers, and see that VK_ICD_FILENAMES, "
+        "if it is set, names it";
     Refused("filter ok.png -o out.png --width 3", 1, line, "VK_ICD_FILENAMES=/nowhere.json");
     Refused("devices", 1, line, "VK_ICD_FILENAMES=/nowhere.json");
 }

@@ -54,9 +54,9 @@ TEST_P(FilterOfChannels, IntegerFilesMatchTheDefinition) {
             const auto light = ReferenceLight(picture, test.srgb);
             for (int y = 0; y < 23; y++) {
                 for (int x = 0; x < 37; x++) {
-                    const glm::dvec4 expected = ReferenceCode(
-                        reference::BoxMean(light, x + 0.5, y + 0.5, test.width, test.height, test.edge), GetParam(),
-                        test.srgb);
+                    const glm::dvec4 expected =
+                        ReferenceCode(reference::BoxMean(light, x + 0.5, y + 0.5, test.width, test.height, test.edge),
+                                      GetParam(), test.srgb);
                     for (int c = 0; c < GetParam(); c++) {
                         const double actual = filtered.samples[(y * 37 + x) * GetParam() + c] * codes;
                         ASSERT_NEAR(actual, expected[c] * codes, 0.5 + slackCodes)
@@ -73,7 +73,8 @@ INSTANTIATE_TEST_SUITE_P(GreyToRgba, FilterOfChannels, testing::Values(1, 2, 3, 
 TEST(Filter, FloatFilesAreFilteredAsTheyStand) {
     const Folder folder;
     Picture picture = RandomPicture(40, 30, 3, SampleType::Float32);
-    for (float& sample : picture.samples) sample = 100 * sample - 20;
+    for (float& sample : picture.samples)
+        sample = 100 * sample - 20;
     WritePicture(picture, folder.Path("in.pfm"), FileFormat::Pfm, SampleType::Float32);
     const auto light = ReferenceLight(picture, false);
     for (const char* out : {"out.pfm", "out.exr"}) {
@@ -105,14 +106,17 @@ TEST(Filter, WidthOneReturnsAPhotographToTheLastBit) {
     const Folder folder;
     const Picture photograph = ReadPicture(BOXCAR_ASSETS "/building.jpg");
     for (const char* width : {"1", "0.3", "1x0.001"}) {
-        ASSERT_EQ(folder.Run(fmt::format("filter " BOXCAR_ASSETS "/building.jpg -o out.png --width {}", width)).exitCode, 0);
+        ASSERT_EQ(
+            folder.Run(fmt::format("filter " BOXCAR_ASSETS "/building.jpg -o out.png --width {}", width)).exitCode,
+            0);
         EXPECT_EQ(ReadPicture(folder.Path("out.png")).samples, photograph.samples);
     }
 }
 
 TEST(Filter, OutputMayBeTheInput) {
     const Folder folder;
-    WritePicture(RandomPicture(9, 9, 3, SampleType::Unorm8), folder.Path("a.png"), FileFormat::Png, SampleType::Unorm8);
+    WritePicture(RandomPicture(9, 9, 3, SampleType::Unorm8), folder.Path("a.png"), FileFormat::Png,
+                 SampleType::Unorm8);
     ASSERT_EQ(folder.Run("filter a.png -o b.png --width 3").exitCode, 0);
     ASSERT_EQ(folder.Run("filter a.png -o a.png --width 3").exitCode, 0);
     EXPECT_EQ(ReadPicture(folder.Path("a.png")).samples, ReadPicture(folder.Path("b.png")).samples);
@@ -121,7 +125,8 @@ TEST(Filter, OutputMayBeTheInput) {
 
 TEST(Filter, ReadsStandardInputAndWritesStandardOutput) {
     const Folder folder;
-    WritePicture(RandomPicture(9, 9, 3, SampleType::Unorm8), folder.Path("a.png"), FileFormat::Png, SampleType::Unorm8);
+    WritePicture(RandomPicture(9, 9, 3, SampleType::Unorm8), folder.Path("a.png"), FileFormat::Png,
+                 SampleType::Unorm8);
     ASSERT_EQ(folder.Run("filter a.png -o b.png --width 3").exitCode, 0);
     const Outcome outcome = folder.Run("filter - -o - --format png --width 3 < a.png > piped.png");
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
@@ -132,7 +137,8 @@ TEST(Filter, ReadsStandardInputAndWritesStandardOutput) {
 TEST(Filter, ManyInputsGoIntoAFolderUnderTheirNamesAndOneThatFailsStopsNoOther) {
     const Folder folder;
     for (const char* name : {"a.png", "c.png"})
-        WritePicture(RandomPicture(9, 9, 3, SampleType::Unorm8), folder.Path(name), FileFormat::Png, SampleType::Unorm8);
+        WritePicture(RandomPicture(9, 9, 3, SampleType::Unorm8), folder.Path(name), FileFormat::Png,
+                     SampleType::Unorm8);
     folder.WriteText("b.png", "no picture");
     const Outcome outcome = folder.Run("filter a.png b.png c.png -o new/ --width 3");
     EXPECT_EQ(outcome.exitCode, 1);
@@ -148,7 +154,8 @@ TEST(Filter, ManyInputsGoIntoAFolderUnderTheirNamesAndOneThatFailsStopsNoOther) 
 
 TEST(Filter, JsonIsOneDocumentAndNothingElse) {
     const Folder folder;
-    WritePicture(RandomPicture(100, 50, 3, SampleType::Unorm8), folder.Path("a.png"), FileFormat::Png, SampleType::Unorm8);
+    WritePicture(RandomPicture(100, 50, 3, SampleType::Unorm8), folder.Path("a.png"), FileFormat::Png,
+                 SampleType::Unorm8);
     const Outcome outcome = folder.Run("filter a.png -o b.png --width 3 --json");
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
@@ -163,12 +170,13 @@ TEST(Filter, JsonIsOneDocumentAndNothingElse) {
 
 TEST(Filter, StatsNameDevicePassesTimesAndMemory) {
     const Folder folder;
-    WritePicture(RandomPicture(100, 50, 3, SampleType::Unorm8), folder.Path("a.png"), FileFormat::Png, SampleType::Unorm8);
+    WritePicture(RandomPicture(100, 50, 3, SampleType::Unorm8), folder.Path("a.png"), FileFormat::Png,
+                 SampleType::Unorm8);
     const Outcome outcome = folder.Run("filter a.png -o b.png --width 3 --stats");
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_EQ(outcome.out, "");
-    for (const char* text : {"a.png -> b.png: 100 x 50", "device", "table x3", "table y2", "filter", " ms", "9 passes",
-                             "device memory 0.3 MiB"})
+    for (const char* text : {"a.png -> b.png: 100 x 50", "device", "table x3", "table y2", "filter", " ms",
+                             "9 passes", "device memory 0.3 MiB"})
         EXPECT_NE(outcome.err.find(text), std::string::npos) << text << " is not in:\n" << outcome.err;
 }
 
@@ -180,9 +188,10 @@ TEST(Filter, NanIsRefusedWithItsPlaceOrReplaced) {
     WritePicture(picture, folder.Path("in.pfm"), FileFormat::Pfm, SampleType::Float32);
     const Outcome refused = folder.Run("filter in.pfm -o out.pfm --width 3");
     EXPECT_EQ(refused.exitCode, 1);
-    EXPECT_EQ(refused.err,
-              "boxcar: in.pfm: NaN or infinity at (5, 2), which would poison the table from there on; --nan zero replaces "
-              "it\n");
+    EXPECT_EQ(
+        refused.err,
+        "boxcar: in.pfm: NaN or infinity at (5, 2), which would poison the table from there on; --nan zero replaces "
+        "it\n");
     EXPECT_EQ(folder.Names(), std::vector<std::string>({"in.pfm"}));
 
     ASSERT_EQ(folder.Run("filter in.pfm -o out.pfm --width 3 --nan zero").exitCode, 0);
@@ -194,7 +203,8 @@ TEST(Filter, NanIsRefusedWithItsPlaceOrReplaced) {
 
 TEST(Filter, BitsChoosesThePngsDepth) {
     const Folder folder;
-    WritePicture(RandomPicture(4, 4, 3, SampleType::Unorm8), folder.Path("a.png"), FileFormat::Png, SampleType::Unorm8);
+    WritePicture(RandomPicture(4, 4, 3, SampleType::Unorm8), folder.Path("a.png"), FileFormat::Png,
+                 SampleType::Unorm8);
     ASSERT_EQ(folder.Run("filter a.png -o b.png --width 3 --bits 16").exitCode, 0);
     EXPECT_EQ(ReadPicture(folder.Path("b.png")).stored, SampleType::Unorm16);
 }

@@ -23,7 +23,8 @@ TEST(Gallery, PageShowsEveryPictureAndLoadsNothingElse) {
 
     std::set<std::string> shown, written;
     const std::regex image("<img src=\"([^\"]+)\"");
-    for (std::sregex_iterator it(page.begin(), page.end(), image), end; it != end; ++it) shown.insert((*it)[1]);
+    for (std::sregex_iterator it(page.begin(), page.end(), image), end; it != end; ++it)
+        shown.insert((*it)[1]);
     for (const auto& entry : std::filesystem::directory_iterator(folder.Path("shown")))
         if (entry.path().extension() == ".png") written.insert(entry.path().filename().string());
     EXPECT_EQ(shown, written);

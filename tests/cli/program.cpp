@@ -34,11 +34,14 @@ Folder::Folder() {
     m_path = mkdtemp(name.data());
 }
 
-Folder::~Folder() { fs::remove_all(m_path); }
+Folder::~Folder() {
+    fs::remove_all(m_path);
+}
 
 std::vector<std::string> Folder::Names() const {
     std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(m_path)) names.push_back(entry.path().filename().string());
+    for (const auto& entry : fs::directory_iterator(m_path))
+        names.push_back(entry.path().filename().string());
     std::sort(names.begin(), names.end());
     return names;
 }
@@ -53,10 +56,11 @@ Outcome Folder::RunOn(const std::string& device, const std::string& arguments, c
     fs::create_directory(captured);
     // A redirection of the arguments' own comes last and wins.
     const std::string command =
-        fmt::format("cd '{}' && {} timeout 120 " BOXCAR_PROGRAM " > '{}/out' 2> '{}/err' {}{} ", m_path.string(), environment,
-                    captured.string(), captured.string(), arguments, DeviceFlags(arguments, device));
+        fmt::format("cd '{}' && {} timeout 120 " BOXCAR_PROGRAM " > '{}/out' 2> '{}/err' {}{} ", m_path.string(),
+                    environment, captured.string(), captured.string(), arguments, DeviceFlags(arguments, device));
     const int status = std::system(command.c_str());
-    Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, ReadText(captured / "out"), ReadText(captured / "err")};
+    Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, ReadText(captured / "out"),
+                    ReadText(captured / "err")};
     fs::remove_all(captured);
     return outcome;
 }
@@ -70,7 +74,8 @@ Picture RandomPicture(uint32_t widthTexels, uint32_t heightTexels, uint32_t chan
     const uint32_t codes = stored == SampleType::Unorm8 ? 256 : 65536;
     Picture picture{widthTexels, heightTexels, channels, stored, {}};
     picture.samples.resize(size_t{widthTexels} * heightTexels * channels);
-    for (float& sample : picture.samples) sample = static_cast<float>(random() % codes) / static_cast<float>(codes - 1);
+    for (float& sample : picture.samples)
+        sample = static_cast<float>(random() % codes) / static_cast<float>(codes - 1);
     return picture;
 }
 

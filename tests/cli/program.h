@@ -1,9 +1,8 @@
 // Runs boxcar as a person would, in a folder of its own.
 #pragma once
 
-#include <glm/vec4.hpp>
-
 #include <filesystem>
+#include <glm/vec4.hpp>
 #include <string>
 #include <vector>
 
@@ -28,8 +27,8 @@ public:
     std::string Path(const std::string& name) const { return (m_path / name).string(); }
     std::vector<std::string> Names() const;  // what is in it, sorted
 
-    // `boxcar ARGUMENTS` in this folder, through the shell, under the validation layer and on the test device where it
-    // takes a device. `environment`: NAME=VALUE words in front. Ended after two minutes (exit code 124).
+    // `boxcar ARGUMENTS` in this folder, through the shell, under the validation layer and on the test device where
+    // it takes a device. `environment`: NAME=VALUE words in front. Ended after two minutes (exit code 124).
     Outcome Run(const std::string& arguments, const std::string& environment = "") const;
 
     // The same with --device `device`.
@@ -48,7 +47,8 @@ Picture RandomPicture(uint32_t widthTexels, uint32_t heightTexels, uint32_t chan
 double ReferenceDecode(double code);
 double ReferenceEncode(double light);
 
-// The picture's samples for the reference filter; missing channels are 0. With `srgb`: linear light, colours times alpha.
+// The picture's samples for the reference filter; missing channels are 0. With `srgb`: linear light, colours times
+// alpha.
 reference::DoubleImage ReferenceLight(const Picture& picture, bool srgb);
 
 }  // namespace boxcar

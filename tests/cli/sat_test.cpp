@@ -20,7 +20,8 @@ TEST(Sat, WritesTheTableOfRawCodesExactlyTopRowFirst) {
         ASSERT_EQ(table.channels, 3u);
         for (size_t i = 0; i < expected.texels.size(); i++)
             for (int c = 0; c < 3; c++)  // a tree of depth 6 + 5 over v / 255, itself rounded
-                ASSERT_NEAR(table.samples[3 * i + c], expected.texels[i][c], 12 * 0x1p-24 * expected.texels[i][c] + 1e-7);
+                ASSERT_NEAR(table.samples[3 * i + c], expected.texels[i][c],
+                            12 * 0x1p-24 * expected.texels[i][c] + 1e-7);
     }
 }
 
@@ -37,7 +38,8 @@ TEST(Sat, SumsLinearLightTimesAlphaUnderSrgb) {
 
 TEST(Sat, RefusesAnIntegerFormat) {
     const Folder folder;
-    WritePicture(RandomPicture(2, 2, 3, SampleType::Unorm8), folder.Path("in.png"), FileFormat::Png, SampleType::Unorm8);
+    WritePicture(RandomPicture(2, 2, 3, SampleType::Unorm8), folder.Path("in.png"), FileFormat::Png,
+                 SampleType::Unorm8);
     const Outcome outcome = folder.Run("sat in.png -o out.png");
     EXPECT_EQ(outcome.exitCode, 2);
     EXPECT_EQ(outcome.err, "boxcar: -o out.png: a table needs a float format, .exr or .pfm\n");

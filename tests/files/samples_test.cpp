@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+// jpeglib.h needs what is before it.
+// clang-format off
+#include <cstdio>
 #include <jpeglib.h>
+// clang-format on
 
 #include "tests/files/support.h"
 

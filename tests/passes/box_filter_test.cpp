@@ -21,7 +21,8 @@ constexpr double kUnit = 0x1p-24;
 
 std::vector<glm::vec2> SizesFor(Extent2D extent) {
     std::vector<glm::vec2> sizes;
-    for (const float width : {0.25f, 1.0f, 2.0f, 3.0f, 4.5f, 5.0f, 9.0f, 33.0f, 129.0f}) sizes.emplace_back(width);
+    for (const float width : {0.25f, 1.0f, 2.0f, 3.0f, 4.5f, 5.0f, 9.0f, 33.0f, 129.0f})
+        sizes.emplace_back(width);
     sizes.emplace_back(3.0f, 17.5f);
     sizes.emplace_back(2 * extent.widthTexels, 2 * extent.heightTexels);
     return sizes;
@@ -33,16 +34,19 @@ std::vector<glm::ivec2> PlacesIn(Extent2D extent) {
     std::vector<glm::ivec2> places;
     if (extent.Texels() <= 400) {
         for (int y = 0; y < height; y++)
-            for (int x = 0; x < width; x++) places.emplace_back(x, y);
+            for (int x = 0; x < width; x++)
+                places.emplace_back(x, y);
         return places;
     }
     places = {{0, 0}, {width - 1, 0}, {0, height - 1}, {width - 1, height - 1}, {width / 2, 0}, {0, height / 2}};
     std::mt19937 random(8);
-    for (int i = 0; i < 150; i++) places.emplace_back(random() % width, random() % height);
+    for (int i = 0; i < 150; i++)
+        places.emplace_back(random() % width, random() % height);
     return places;
 }
 
-// What sat.hlsli documents: rounding of the table's entries (four corners, each a tree of that depth), and of the lookup.
+// What sat.hlsli documents: rounding of the table's entries (four corners, each a tree of that depth), and of the
+// lookup.
 double ErrorBound(Extent2D extent, double magnitudes, double areaTexels) {
     const double depth = std::bit_width(extent.widthTexels - 1) + std::bit_width(extent.heightTexels - 1);
     return (4 * depth + 20) * kUnit * magnitudes / areaTexels;
@@ -87,7 +91,8 @@ TEST(BoxFilter, IsWithinTheDocumentedBoundOfTheDefinition) {
     }
 }
 
-// Whole codes up to 256 x 256 give an exact table; then whole-texel boxes have nothing left to round but the division.
+// Whole codes up to 256 x 256 give an exact table; then whole-texel boxes have nothing left to round but the
+// division.
 TEST(BoxFilter, OddWidthsOnWholeCodesAreTheCorrectlyRoundedQuotient) {
     for (const Extent2D extent : kExtents) {
         if (extent.Texels() > 256 * 256) continue;
@@ -138,9 +143,11 @@ TEST(BoxFilter, TwiceTheExtentIsTheMeanOfItAll) {
     const Extent2D extent{100, 300};
     const Texels source = RandomCodes(extent, 14);
     glm::dvec4 sum(0);
-    for (const glm::vec4& texel : source) sum += glm::dvec4(texel);
+    for (const glm::vec4& texel : source)
+        sum += glm::dvec4(texel);
     const Texels blurred = BlurOnDevice(extent, source, {200, 600}, BoxEdge::Clip);
-    for (const glm::vec4& texel : blurred) ASSERT_NEAR(texel.x, sum.x / 30000, 3 * 0x1p-23 * 255);
+    for (const glm::vec4& texel : blurred)
+        ASSERT_NEAR(texel.x, sum.x / 30000, 3 * 0x1p-23 * 255);
 }
 
 // Worked by hand: of the box [-1, 2) round texel 0, [0, 2) is inside: (4 + 10) / 2.
@@ -169,7 +176,8 @@ TEST(BoxFilter, BiasComesBackOverTheAreaThatCarriedIt) {
         const Texels without = BlurOnDevice(extent, source, {9, 4.5f}, edge.ours);
         const Texels with = BlurOnDevice(extent, source, {9, 4.5f}, edge.ours, 4, bias);
         for (size_t i = 0; i < with.size(); i++)
-            for (int c = 0; c < 4; c++) ASSERT_NEAR(with[i][c], without[i][c], 255 * 8 * 0x1p-23) << "texel " << i;
+            for (int c = 0; c < 4; c++)
+                ASSERT_NEAR(with[i][c], without[i][c], 255 * 8 * 0x1p-23) << "texel " << i;
     }
 }
 
@@ -187,16 +195,17 @@ TEST(SATSampleBox, AgreesWithTheDefinitionAtAnyCentre) {
         const Texels source = RandomValues(extent, 17);
         const auto reference = ToDouble(extent, source);
         for (const EdgePair edge : kEdges) {
-            const Pipeline pipeline(TestDevice(), {passes_shaders::Find("shaders/quad.vs"),
-                                                   test_support_shaders::Find(edge.ours == BoxEdge::Zero
-                                                                         ? "shaders/sat_sample_box.ps.EDGE_ZERO=1"
-                                                                         : "shaders/sat_sample_box.ps.EDGE_ZERO=0")});
+            const Pipeline pipeline(
+                TestDevice(),
+                {passes_shaders::Find("shaders/quad.vs"),
+                 test_support_shaders::Find(edge.ours == BoxEdge::Zero ? "shaders/sat_sample_box.ps.EDGE_ZERO=1"
+                                                                       : "shaders/sat_sample_box.ps.EDGE_ZERO=0")});
             const Image result(TestDevice(), {extent, Format::RGBA32F, "sampled"});
             SummedAreaTable table(TestDevice(), {.extent = extent});
             for (const glm::vec2 offset : {glm::vec2(0), glm::vec2(0.375f, -0.25f), glm::vec2(-30, 3.5f)}) {
                 for (const glm::vec2 size : {glm::vec2(1), glm::vec2(2.75f, 6), glm::vec2(33)}) {
-                    const SATFilterConstants constants{{extent.widthTexels, extent.heightTexels}, size,
-                                                       {offset.x, offset.y, 0, 0}};
+                    const SATFilterConstants constants{
+                        {extent.widthTexels, extent.heightTexels}, size, {offset.x, offset.y, 0, 0}};
                     const Texels sampled =
                         RunOnDevice(extent, source, [&](CommandList& commands, const Image& image) -> const Image& {
                             commands.Draw({.name = "sample",
@@ -208,11 +217,10 @@ TEST(SATSampleBox, AgreesWithTheDefinitionAtAnyCentre) {
                         });
                     for (const glm::ivec2 at : PlacesIn(extent)) {
                         const double x = at.x + 0.5 + offset.x, y = at.y + 0.5 + offset.y;
-                        const double inside =
-                            std::max(0.0, std::min<double>(extent.widthTexels, x + size.x / 2) -
-                                              std::max(0.0, x - size.x / 2)) *
-                            std::max(0.0, std::min<double>(extent.heightTexels, y + size.y / 2) -
-                                              std::max(0.0, y - size.y / 2));
+                        const double inside = std::max(0.0, std::min<double>(extent.widthTexels, x + size.x / 2) -
+                                                                std::max(0.0, x - size.x / 2)) *
+                                              std::max(0.0, std::min<double>(extent.heightTexels, y + size.y / 2) -
+                                                                std::max(0.0, y - size.y / 2));
                         const double area = edge.ours == BoxEdge::Zero ? size.x * size.y : inside;
                         if (area > 0 && area < 0.25) continue;  // a sliver, which the bound does not speak of
                         // uv is rounded, so the centre is off by up to u x side.

@@ -19,11 +19,13 @@ Offsets OffsetsIn(std::string_view shader) {
     Offsets offsets;
     for (const LayoutResource& resource : layout.resources)
         if (resource.kind == ResourceKind::PushConstants)
-            for (const LayoutMember& member : resource.members) offsets[member.name] = member.offsetBytes;
+            for (const LayoutMember& member : resource.members)
+                offsets[member.name] = member.offsetBytes;
     return offsets;
 }
 
-#define OFFSET(Struct, member) {"g." #member, offsetof(Struct, member)}
+#define OFFSET(Struct, member) \
+    { "g." #member, offsetof(Struct, member) }
 
 TEST(PassesConstants, OffsetsInCppEqualThoseInTheShaders) {
     const Offsets pass = {OFFSET(SATPassConstants, strideUv), OFFSET(SATPassConstants, strideTexels)};

@@ -22,7 +22,8 @@ std::vector<float> VerbatimBlurOfAnImpulse(float sizeTexels, float value = 1) {
         return verbatim.Record(commands, table.Record(commands, image), glm::vec2(sizeTexels));
     });
     std::vector<float> row;
-    for (int x = 0; x < 16; x++) row.push_back(result[16 * 8 + x].x);
+    for (int x = 0; x < 16; x++)
+        row.push_back(result[16 * 8 + x].x);
     return row;
 }
 
@@ -37,8 +38,8 @@ std::pair<int, int> Reach(const std::vector<float>& row) {
     return {first, last};
 }
 
-// A box of 4 round texel i is [i - 1.5, i + 2.5): the impulse at 8 is right when it reaches 6 .. 10, half at the ends.
-// As printed texel i takes i - 1 .. i + 2 whole.
+// A box of 4 round texel i is [i - 1.5, i + 2.5): the impulse at 8 is right when it reaches 6 .. 10, half at the
+// ends. As printed texel i takes i - 1 .. i + 2 whole.
 TEST(SATVerbatimBlur, EvenSizesLieHalfATexelTooFarRight) {
     EXPECT_EQ(Reach(VerbatimBlurOfAnImpulse(4)), std::pair(6, 9));
 }
@@ -58,8 +59,8 @@ TEST(SATVerbatimBlur, DoesNotClipAtTheRightRim) {
     const Extent2D extent{16, 16};
     SummedAreaTable table(TestDevice(), {.extent = extent});
     SatVerbatimBlur verbatim(TestDevice(), extent);
-    const Texels result =
-        RunOnDevice(extent, Texels(256, glm::vec4(1)), [&](CommandList& commands, const Image& image) -> const Image& {
+    const Texels result = RunOnDevice(
+        extent, Texels(256, glm::vec4(1)), [&](CommandList& commands, const Image& image) -> const Image& {
             return verbatim.Record(commands, table.Record(commands, image), glm::vec2(4));
         });
     EXPECT_EQ(result[16 * 8 + 8].x, 256.0f);
@@ -78,7 +79,8 @@ TEST(BoxLookup, DifferencesOfEntriesLeaveOutTheirFirstTexel) {
     const int x = 1, y = 2, a = 3, b = 4;
     float covered = 0;
     for (int j = y + 1; j <= y + b; j++)
-        for (int i = x + 1; i <= x + a; i++) covered += source[8 * j + i].x;
+        for (int i = x + 1; i <= x + a; i++)
+            covered += source[8 * j + i].x;
     const auto at = [&](int i, int j) { return table[8 * j + i].x; };
     EXPECT_EQ(at(x + a, y + b) - at(x + a, y) - at(x, y + b) + at(x, y), covered);
 }
@@ -116,7 +118,8 @@ TEST(Boundary, ClampToEdgeNeedsABlackFrameAndMovesTheTable) {
     const Texels source = RandomCodes(extent, 22);
     Texels inFrame(framed.Texels(), glm::vec4(0));
     for (uint32_t y = 0; y < 7; y++)
-        for (uint32_t x = 0; x < 10; x++) inFrame[12 * (y + 1) + x + 1] = source[10 * y + x];
+        for (uint32_t x = 0; x < 10; x++)
+            inFrame[12 * (y + 1) + x + 1] = source[10 * y + x];
     const auto expected = reference::SummedAreaTable(ToDouble(extent, source));
 
     const Texels clamped = BuildWithClampToEdge(extent, source);

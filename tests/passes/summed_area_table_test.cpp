@@ -12,7 +12,7 @@
 namespace boxcar {
 namespace {
 
-constexpr Extent2D kExtents[] = {{1, 1},  {1, 6},    {6, 1},     {12, 19},    {49, 2},
+constexpr Extent2D kExtents[] = {{1, 1},  {1, 6},     {6, 1},     {12, 19},   {49, 2},
                                  {16, 4}, {100, 300}, {256, 256}, {1000, 667}};
 constexpr uint32_t kTaps[] = {2, 4, 8, 16};
 constexpr TapAddressing kAddressings[] = {TapAddressing::Interpolated, TapAddressing::Integer};
@@ -42,7 +42,8 @@ TEST(SummedAreaTable, ScheuermannsFourByFourExampleIsExact) {
     for (const TapAddressing addressing : kAddressings) {
         for (const uint32_t taps : kTaps) {
             const Texels table = TableOf({4, 4}, texels, taps, addressing);
-            for (size_t i = 0; i < 16; i++) EXPECT_EQ(table[i], glm::vec4(expected[i])) << "entry " << i;
+            for (size_t i = 0; i < 16; i++)
+                EXPECT_EQ(table[i], glm::vec4(expected[i])) << "entry " << i;
         }
     }
 }
@@ -64,7 +65,8 @@ TEST(SummedAreaTable, WholeCodesSumExactlyAtEverySizeUpTo256) {
             for (const uint32_t taps : kTaps) {
                 const Texels table = TableOf(extent, source, taps, addressing);
                 size_t wrong = 0;
-                for (size_t i = 0; i < table.size(); i++) wrong += glm::dvec4(table[i]) != expected.texels[i];
+                for (size_t i = 0; i < table.size(); i++)
+                    wrong += glm::dvec4(table[i]) != expected.texels[i];
                 EXPECT_EQ(wrong, 0u) << extent.widthTexels << " x " << extent.heightTexels << ", " << taps << " taps";
             }
         }
@@ -111,7 +113,8 @@ TEST(SummedAreaTable, PassCountIsTheSmallestThatReachesTheFarEnd) {
 TEST(SummedAreaTable, TheLastPassOfAnAxisAddsOnlyWhatIsLeft) {
     const SummedAreaTable table(TestDevice(), {.extent = {512, 512}, .taps = 16});
     std::vector<uint32_t> taps;
-    for (uint32_t pass = 0; pass < table.Passes(); pass++) taps.push_back(table.TapsOf(pass));
+    for (uint32_t pass = 0; pass < table.Passes(); pass++)
+        taps.push_back(table.TapsOf(pass));
     EXPECT_EQ(taps, std::vector<uint32_t>({16, 16, 2, 16, 16, 2}));
     EXPECT_EQ(SummedAreaTable(TestDevice(), {.extent = {513, 1}, .taps = 16}).TapsOf(2), 4u);
 }
@@ -151,16 +154,18 @@ TEST(SummedAreaTable, ATexelCountsToItsRightAndBelowOnly) {
             EXPECT_EQ(table[5 * y + x].x, x >= 1 && y >= 2 ? 7.0f : 0.0f) << x << ", " << y;
 }
 
-// Erratum: leaving out 2^i texels in pass i leaves stale ones in one of the two targets. Here both targets are full of
-// another picture's sums, so every texel that is left out too early shows.
+// Erratum: leaving out 2^i texels in pass i leaves stale ones in one of the two targets. Here both targets are full
+// of another picture's sums, so every texel that is left out too early shows.
 TEST(SummedAreaTable, NothingOfAnEarlierPictureIsLeftInTheTable) {
-    for (const Extent2D extent : {Extent2D{64, 64}, Extent2D{2, 37}, Extent2D{37, 2}, Extent2D{1, 17}, Extent2D{300, 5}}) {
+    for (const Extent2D extent :
+         {Extent2D{64, 64}, Extent2D{2, 37}, Extent2D{37, 2}, Extent2D{1, 17}, Extent2D{300, 5}}) {
         for (const uint32_t taps : kTaps) {
             SummedAreaTable table(TestDevice(), {.extent = extent, .taps = taps});
             const auto record = [&](CommandList& commands, const Image& image) -> const Image& {
                 return table.Record(commands, image);
             };
-            for (int i = 0; i < 2; i++) RunOnDevice(extent, Texels(extent.Texels(), glm::vec4(1000)), record);
+            for (int i = 0; i < 2; i++)
+                RunOnDevice(extent, Texels(extent.Texels(), glm::vec4(1000)), record);
             const Texels source = RandomCodes(extent, 4);
             const auto expected = reference::SummedAreaTable(ToDouble(extent, source));
             const Texels result = RunOnDevice(extent, source, record);
@@ -187,9 +192,11 @@ TEST(SummedAreaTable, BiasIsTakenOffTexelsAndNotOffTheOutside) {
     const glm::vec4 bias(0.5f, 1, 0, 128);
     Texels source = RandomCodes(extent, 6);
     const Texels table = TableOf(extent, source, 4, TapAddressing::Interpolated, bias);
-    for (glm::vec4& texel : source) texel -= bias;
+    for (glm::vec4& texel : source)
+        texel -= bias;
     const auto expected = reference::SummedAreaTable(ToDouble(extent, source));
-    for (size_t i = 0; i < table.size(); i++) ASSERT_EQ(glm::dvec4(table[i]), expected.texels[i]) << "entry " << i;
+    for (size_t i = 0; i < table.size(); i++)
+        ASSERT_EQ(glm::dvec4(table[i]), expected.texels[i]) << "entry " << i;
 }
 
 // Erratum: with the mean taken off, the last entry is 0 only up to rounding.
@@ -197,14 +204,17 @@ TEST(SummedAreaTable, LastEntryLessTheMeanIsZeroUpToRounding) {
     const Extent2D extent{100, 300};
     const Texels source = RandomValues(extent, 7);
     glm::dvec4 mean(0);
-    for (const glm::vec4& texel : source) mean += glm::dvec4(texel) / static_cast<double>(source.size());
+    for (const glm::vec4& texel : source)
+        mean += glm::dvec4(texel) / static_cast<double>(source.size());
     const glm::vec4 bias(mean);
     const Texels table = TableOf(extent, source, 4, TapAddressing::Interpolated, bias);
 
     double magnitudes = 0;
-    for (const glm::vec4& texel : source) magnitudes += std::abs(texel.x - bias.x);
+    for (const glm::vec4& texel : source)
+        magnitudes += std::abs(texel.x - bias.x);
     // Every difference is rounded, every sum is, and the mean itself was.
-    const double bound = (TreeDepth(extent) + 1) * kUnit * magnitudes + kUnit * mean.x * static_cast<double>(source.size());
+    const double bound =
+        (TreeDepth(extent) + 1) * kUnit * magnitudes + kUnit * mean.x * static_cast<double>(source.size());
     EXPECT_LE(std::abs(table.back().x), bound);
     EXPECT_GT(TableOf(extent, source).back().x, 10000) << "without a bias it is the sum of 30,000 texels";
 }

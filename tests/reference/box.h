@@ -1,11 +1,10 @@
 // The mean over a box, from its definition: every texel counts as much as the box covers of it. In double, texel by
-// texel, without a table: slow and obvious. Written from Crow 1984, sect. 2.1 and the contract in `boxcar filter --help`,
-// not from the shaders.
+// texel, without a table: slow and obvious. Written from Crow 1984, sect. 2.1 and the contract in `boxcar filter
+// --help`, not from the shaders.
 #pragma once
 
-#include <glm/vec4.hpp>
-
 #include <algorithm>
+#include <glm/vec4.hpp>
 #include <vector>
 
 namespace boxcar::reference {

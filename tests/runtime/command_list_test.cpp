@@ -71,7 +71,8 @@ TEST(CommandList, ClearSetsEveryTexelAndConvertsToTheFormat) {
     commands.SubmitAndWait();
     std::vector<uint8_t> bytes(100);
     ReadTexels(TestDevice(), image, std::as_writable_bytes(std::span(bytes)));
-    for (size_t i = 0; i < 100; i += 4) EXPECT_EQ(std::vector<uint8_t>(&bytes[i], &bytes[i] + 4), std::vector<uint8_t>({255, 0, 51, 255}));
+    for (size_t i = 0; i < 100; i += 4)
+        EXPECT_EQ(std::vector<uint8_t>(&bytes[i], &bytes[i] + 4), std::vector<uint8_t>({255, 0, 51, 255}));
 }
 
 TEST(CommandList, RefusesPassesThatDoNotFitTheirShadersAndNamesThem) {
@@ -84,12 +85,18 @@ TEST(CommandList, RefusesPassesThatDoNotFitTheirShadersAndNamesThem) {
     CommandList commands(TestDevice());
     EXPECT_ERROR(commands.Draw({.name = "p", .pipeline = pipeline, .writes = {&b}, .constants = bytes}),
                  "pass 'p' gives nothing to read as 'source' of shaders/sat_bias.ps");
-    EXPECT_ERROR(commands.Draw({.name = "p", .pipeline = pipeline, .reads = {{"source", &a}}, .writes = {&a}, .constants = bytes}),
-                 "pass 'p' reads and writes 'a' at once: what it would read is undefined");
-    EXPECT_ERROR(commands.Draw({.name = "p", .pipeline = pipeline, .reads = {{"source", &a}}, .writes = {&half}, .constants = bytes}),
-                 "pass 'p' writes 'half', which is RGBA16F: its pipeline writes RGBA32F");
-    EXPECT_ERROR(commands.Draw({.name = "p", .pipeline = pipeline, .reads = {{"source", &a}}, .writes = {&b, &b}, .constants = bytes}),
-                 "pass 'p' writes 2 images, its pipeline 1");
+    EXPECT_ERROR(
+        commands.Draw(
+            {.name = "p", .pipeline = pipeline, .reads = {{"source", &a}}, .writes = {&a}, .constants = bytes}),
+        "pass 'p' reads and writes 'a' at once: what it would read is undefined");
+    EXPECT_ERROR(
+        commands.Draw(
+            {.name = "p", .pipeline = pipeline, .reads = {{"source", &a}}, .writes = {&half}, .constants = bytes}),
+        "pass 'p' writes 'half', which is RGBA16F: its pipeline writes RGBA32F");
+    EXPECT_ERROR(
+        commands.Draw(
+            {.name = "p", .pipeline = pipeline, .reads = {{"source", &a}}, .writes = {&b, &b}, .constants = bytes}),
+        "pass 'p' writes 2 images, its pipeline 1");
     EXPECT_ERROR(commands.Draw({.name = "p", .pipeline = pipeline, .reads = {{"source", &a}}, .writes = {&b}}),
                  "pass 'p' has 0 bytes of constants, shaders/sat_bias.ps takes 16");
 }
@@ -140,7 +147,8 @@ TEST(CommandList, WrapsAnEnginesCommandBuffer) {
     SummedAreaTable table(TestDevice(), {.extent = extent});
 
     VkCommandPool pool;
-    const VkCommandPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO, nullptr, 0, engine.queueFamily};
+    const VkCommandPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO, nullptr, 0,
+                                           engine.queueFamily};
     ASSERT_EQ(vkCreateCommandPool(engine.device, &poolInfo, nullptr, &pool), VK_SUCCESS);
     VkCommandBuffer buffer;
     const VkCommandBufferAllocateInfo bufferInfo{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO, nullptr, pool,

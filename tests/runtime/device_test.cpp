@@ -33,14 +33,16 @@ TEST(Device, IsFoundByIndexAndByAPartOfItsNameInAnyCase) {
     const DeviceInfo& info = TestDevice().Info();
     EXPECT_EQ(Device({.selector = std::to_string(info.index)}).Info().name, info.name);
     std::string part = info.name.substr(1, 5);
-    for (char& c : part) c = static_cast<char>(std::toupper(c));
+    for (char& c : part)
+        c = static_cast<char>(std::toupper(c));
     EXPECT_EQ(Device({.selector = part}).Info().name, info.name);
 }
 
 TEST(Device, RefusesASelectorThatMatchesNothingAndListsWhatThereIs) {
     EXPECT_ERROR(Device({.selector = "Voodoo2"}),
                  fmt::format("no Vulkan device matches 'Voodoo2'; there is {}", KnownDevices()));
-    EXPECT_ERROR(Device({.selector = "99"}), fmt::format("no Vulkan device matches '99'; there is {}", KnownDevices()));
+    EXPECT_ERROR(Device({.selector = "99"}),
+                 fmt::format("no Vulkan device matches '99'; there is {}", KnownDevices()));
 }
 
 TEST(Device, CountsTheMemoryOfWhatLivesOnIt) {

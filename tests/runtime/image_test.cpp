@@ -12,9 +12,8 @@ TEST(Image, RefusesASideOfZeroOrOverTheLimit) {
     const uint32_t limit = TestDevice().Limits().maxSideTexels;
     EXPECT_ERROR(Image(TestDevice(), {{0, 5}, Format::R32F, "empty"}),
                  "image 'empty' of 0 x 5 texels: both sides must be at least 1");
-    EXPECT_ERROR(
-        Image(TestDevice(), {{limit + 1, 1}, Format::R32F, "wide"}),
-        fmt::format("image 'wide' of {} x 1 texels: the device takes at most {} a side", limit + 1, limit));
+    EXPECT_ERROR(Image(TestDevice(), {{limit + 1, 1}, Format::R32F, "wide"}),
+                 fmt::format("image 'wide' of {} x 1 texels: the device takes at most {} a side", limit + 1, limit));
 }
 
 TEST(Image, RefusesWhatFitsTheSidesButNotTheMemoryAndNamesBothSizes) {

@@ -12,14 +12,16 @@ namespace {
 // Bytes that are no NaN in any of the formats: every 16-bit half of them is below 0x3c00.
 std::vector<std::byte> Pattern(size_t count) {
     std::vector<std::byte> bytes(count);
-    for (size_t i = 0; i < count; i++) bytes[i] = static_cast<std::byte>((i * 7 + i / 4096) % 60);
+    for (size_t i = 0; i < count; i++)
+        bytes[i] = static_cast<std::byte>((i * 7 + i / 4096) % 60);
     return bytes;
 }
 
 class TransferOfFormat : public testing::TestWithParam<Format> {};
 
 TEST_P(TransferOfFormat, WhatIsWrittenIsReadBack) {
-    for (const Extent2D extent : {Extent2D{1, 1}, Extent2D{1, 6}, Extent2D{6, 1}, Extent2D{12, 19}, Extent2D{49, 2}}) {
+    for (const Extent2D extent :
+         {Extent2D{1, 1}, Extent2D{1, 6}, Extent2D{6, 1}, Extent2D{12, 19}, Extent2D{49, 2}}) {
         const Image image(TestDevice(), {extent, GetParam(), "round trip"});
         const std::vector<std::byte> written = Pattern(extent.Texels() * BytesPerTexel(GetParam()));
         WriteTexels(TestDevice(), image, written);

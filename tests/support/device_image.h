@@ -1,9 +1,8 @@
 // Images between tests and device.
 #pragma once
 
-#include <glm/vec4.hpp>
-
 #include <functional>
+#include <glm/vec4.hpp>
 #include <random>
 #include <vector>
 
@@ -43,7 +42,8 @@ inline Texels RandomCodes(Extent2D extent, uint32_t seed) {
     std::mt19937 random(seed);
     Texels texels(extent.Texels());
     for (glm::vec4& texel : texels)
-        for (int c = 0; c < 4; c++) texel[c] = static_cast<float>(random() % 256);
+        for (int c = 0; c < 4; c++)
+            texel[c] = static_cast<float>(random() % 256);
     return texels;
 }
 
@@ -53,13 +53,14 @@ inline Texels RandomValues(Extent2D extent, uint32_t seed) {
     std::uniform_real_distribution<float> unit(0, 1);
     Texels texels(extent.Texels());
     for (glm::vec4& texel : texels)
-        for (int c = 0; c < 4; c++) texel[c] = unit(random);
+        for (int c = 0; c < 4; c++)
+            texel[c] = unit(random);
     return texels;
 }
 
 inline reference::DoubleImage ToDouble(Extent2D extent, const Texels& texels) {
-    return {static_cast<int>(extent.widthTexels), static_cast<int>(extent.heightTexels),
-            {texels.begin(), texels.end()}};
+    return {
+        static_cast<int>(extent.widthTexels), static_cast<int>(extent.heightTexels), {texels.begin(), texels.end()}};
 }
 
 }  // namespace boxcar

@@ -21,10 +21,10 @@ std::string TestDeviceSelector() {
 
 Device& TestDevice() {
     Messages();  // outlives the device
-    static Device device(
-        DeviceDesc{.selector = TestDeviceSelector(),
-                   .validation = true,
-                   .onValidationMessage = [](const std::string& message) { Messages().push_back(message); }});
+    static Device device(DeviceDesc{
+        .selector = TestDeviceSelector(), .validation = true, .onValidationMessage = [](const std::string& message) {
+            Messages().push_back(message);
+        }});
     return device;
 }
 
@@ -38,6 +38,8 @@ uint32_t ValidationLayerVersion() {
     return 0;
 }
 
-std::vector<std::string> TakeValidationMessages() { return std::exchange(Messages(), {}); }
+std::vector<std::string> TakeValidationMessages() {
+    return std::exchange(Messages(), {});
+}
 
 }  // namespace boxcar

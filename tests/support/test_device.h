@@ -1,5 +1,5 @@
-// The device of a test program. It runs under the validation layer with synchronization validation, and a message fails
-// the test during which it came (support/main.cpp).
+// The device of a test program. It runs under the validation layer with synchronization validation, and a message
+// fails the test during which it came (support/main.cpp).
 #pragma once
 
 #include <string>

@@ -65,12 +65,13 @@ bool ReadParserPosition(std::string_view text, const Source& source, std::span<D
                         Diagnostics& diagnostics) {
     const auto file = CutAt(text, "(");
     const auto line = CutAt(text, "): error at column ");
-    if (!file || !line || !CutAt(text, ", HLSL parsing failed.")) return false;
-    SourcePlace place{std::string(*file), std::atoi(line->data()), std::atoi(line->data() + line->size() + 19)};
+    const auto column = CutAt(text, ", HLSL parsing failed.");
+    if (!file || !line || !column) return false;
+    SourcePlace place{std::string(*file), std::atoi(line->data()), std::atoi(column->data())};
     // The position is the end of the last word that was read.
     const std::string_view lineText = source.Line(place.file, place.line);
-    const auto isWord = [&](int column) {
-        return column >= 1 && column <= static_cast<int>(lineText.size()) && IsWordChar(lineText[column - 1]);
+    const auto isWord = [&](int at) {
+        return at >= 1 && at <= static_cast<int>(lineText.size()) && IsWordChar(lineText[at - 1]);
     };
     while (isWord(place.column) && isWord(place.column - 1))
         --place.column;

@@ -28,9 +28,8 @@ namespace {
 
 // From text to what the rules look at. Ends early where there are errors, or no entry point.
 RuleSubject RunFrontEnd(Compiler& compiler, const CompileOptions& options, Source& source, Diagnostics& diagnostics) {
-    CompiledShader compiled = compiler.Compile(options, source, diagnostics);
-    Outline outline(compiled.preprocessed, options.file, source);
-    RuleSubject subject{options, std::move(compiled), std::move(outline), {}, {}};
+    const CompiledShader compiled = compiler.Compile(options, source, diagnostics);
+    RuleSubject subject{options, compiled, Outline(compiled.preprocessed, options.file, source), {}, {}};
     const std::vector<uint32_t>& spirv = subject.compiled.spirv;
     if (!subject.compiled.hasEntry || HasErrors(diagnostics)) return subject;
 
@@ -108,7 +107,7 @@ size_t CompileJobs(const std::vector<ShaderJob>& jobs, const WorkerLimits& limit
 }
 
 bool CompileOne(const Options& options) {
-    const ShaderJob job{"", options.compile, options.compile.output, 0};
+    const ShaderJob job{"", options.compile, options.compile.output};
     Report report;
     return CompileJobs({job}, {1, options.timeoutSeconds, options.maxMemoryMib}, report) == 0;
 }

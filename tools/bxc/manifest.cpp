@@ -120,7 +120,7 @@ std::vector<ShaderJob> ParseManifest(std::string_view text, const std::string& m
             const std::vector<std::string> words = SplitWords(lineText);
             if (words.empty()) continue;
             for (const Permutation& permutation : Permute(ParseCompileOptions(words))) {
-                ShaderJob job{root, permutation.options, "", line};
+                ShaderJob job{root, permutation.options, ""};
                 job.options.output = OutputName(permutation);
                 job.output = (fs::path(outputDir) / (job.options.output + ".spv")).generic_string();
                 const auto [other, isNew] = lineOfOutput.emplace(job.options.output, line);

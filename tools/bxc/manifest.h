@@ -4,6 +4,8 @@
 //   shaders/sat_pass.ps.hlsl -T ps_5_0 -D TAPS={2,4,8,16}
 //
 // A value in braces makes one shader of each of its values; several of them multiply. Words with spaces go in "".
+// The output is named after the file without .hlsl, the entry point if it is not main, and the values in braces:
+// DIR/shaders/sat_pass.ps.TAPS=4.spv. #include looks in the manifest's own folder last.
 #pragma once
 
 #include "tools/bxc/diagnostic.h"
@@ -20,7 +22,6 @@ struct ShaderJob {
     std::string root;        // folder of the manifest, to which the paths in `options` are relative; "" for none
     CompileOptions options;  // `output` is the shader's name: "sat_pass.ps.TAPS=4", from which its files are named
     std::string output;      // the .spv file, beside which the others go: DIR/sat_pass.ps.TAPS=4.spv
-    int line = 0;            // of the manifest; 0 for `bxc compile`
 
     bool operator==(const ShaderJob&) const = default;
 };

@@ -29,7 +29,6 @@ std::vector<uint32_t> Optimize(const std::vector<uint32_t>& spirv, int level, co
     spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_1);
     optimizer.RegisterLegalizationPasses();
     if (level == 1) optimizer.RegisterSizePasses();
-    if (level == 3) optimizer.RegisterPass(spvtools::CreateLoopUnrollPass(true));
     if (level >= 2) optimizer.RegisterPerformancePasses();
     return Run(optimizer, spirv, file, diagnostics);
 }

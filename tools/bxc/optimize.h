@@ -9,8 +9,7 @@
 
 namespace boxcar {
 
-// level  0: what HLSL needs to become legal SPIR-V, nothing more. 1: also smaller. 2: also faster. 3: also with loops
-//        unrolled where the HLSL says [unroll].
+// level  0: what HLSL needs to become legal SPIR-V, nothing more. 1: also smaller. 2 and 3: also faster.
 // Appends what the optimiser says to `diagnostics`, about `file`; returns nothing if it fails.
 std::vector<uint32_t> Optimize(const std::vector<uint32_t>& spirv, int level, const std::string& file,
                                Diagnostics& diagnostics);

@@ -163,7 +163,7 @@ constexpr const char* kCompileFlagsHelp = R"(  -T PROFILE      vs_5_0, ps_5_0, c
   -E NAME         entry point; main unless given
   -D NAME[=VALUE] macro; VALUE is 1 unless given
   -I DIR          where #include looks, after the including file's folder
-  -O0 .. -O3      -O0 only makes the SPIR-V legal; -O3 unless given
+  -O0 .. -O3      0 only makes the SPIR-V legal, 1 makes it small, 2 and 3 fast; -O3 unless given
   -Zi             source text and lines in the SPIR-V
   -WX             warnings are errors
   -Gec            Direct3D 9 samplers: sampler, tex2D
@@ -196,7 +196,8 @@ std::string BuildHelp() {
         "{}\n"
         "A manifest has one shader a line: its file, relative to the manifest, then these flags. # starts a "
         "comment.\n"
-        "-D NAME={{A,B}} compiles the shader once for each value; several of them multiply.\n\n"
+        "-D NAME={{A,B}} compiles the shader once for each value; several of them multiply.\n"
+        "#include looks in the manifest's own folder last.\n\n"
         "{}  -o NAME.spv     name of the output in DIR; the file's name, entry and values unless given\n\n"
         "Example:\n"
         "  $ cat hlsl/shaders.cfg\n"
@@ -205,6 +206,40 @@ std::string BuildHelp() {
         "  writes build/shaders/shaders/sat_pass.ps.TAPS=2.spv, .layout.json, .d and so on\n",
         kLimitFlagsHelp, kCompileFlagsHelp);
 }
+
+void ParseCompile(std::span<const std::string> words, Options& options) {
+    options.command = Command::Compile;
+    bool hasProfile = false;
+    std::vector<Flag> flags = CompileFlags(options.compile, hasProfile);
+    std::ranges::move(LimitFlags(options), std::back_inserter(flags));
+    CheckCompileOptions(options.compile, hasProfile, ParseFlags(words, flags));
+
+    const std::string& output = options.compile.output;
+    if (output.empty()) throw UsageError("no output is given: expected -o OUT.spv");
+    if ((!output.ends_with(".spv") && !output.starts_with("/dev/")) || output == options.compile.file)
+        throw UsageError("'-o {}': expected a name that ends in .spv and is not the shader's", output);
+}
+
+void ParseBuild(std::span<const std::string> words, Options& options) {
+    options.command = Command::Build;
+    std::vector<Flag> flags = {
+        {"-o", true, [&](const std::string& value) { options.outputDir = value; }},
+        {"-j", true, [&](const std::string& value) { options.jobs = ParseNumber("-j", value, 1, 256); }, true},
+        {"--embed", true,
+         [&](const std::string& value) {
+             if (!IsIdentifier(value)) throw UsageError("'--embed {}': expected a C++ identifier", value);
+             options.embed = value;
+         }},
+        {"--depfile", true, [&](const std::string& value) { options.depfile = value; }},
+    };
+    std::ranges::move(LimitFlags(options), std::back_inserter(flags));
+    const std::vector<std::string> others = ParseFlags(words, flags);
+    if (others.size() != 1) throw UsageError("expected one manifest; {} are given", others.size());
+    if (options.outputDir.empty()) throw UsageError("no output folder is given: expected -o DIR");
+    options.manifest = others[0];
+}
+
+constexpr const char* kCommands = "accepted: compile, build, --help, --version";
 
 }  // namespace
 
@@ -232,50 +267,21 @@ std::string ToText(const CompileOptions& options) {
 }
 
 Options ParseOptions(std::span<const std::string> words) {
+    if (words.empty()) throw UsageError("no command is given; {}", kCommands);
+    const std::string& command = words[0];
     Options options;
-    const auto has = [&](std::initializer_list<std::string_view> names) {
-        return std::ranges::any_of(words, [&](const std::string& w) { return std::ranges::count(names, w) > 0; });
-    };
-    const std::string command = words.empty() ? "" : words[0];
-    if (has({"--help", "-h"}) || words.empty() || command == "help") {
+    if (std::ranges::any_of(words, [](const std::string& word) { return word == "--help" || word == "-h"; }))
         options.help = command == "compile" ? CompileHelp() : command == "build" ? BuildHelp() : kHelp;
-        if (words.empty()) throw UsageError("no command is given; accepted: compile, build, --help, --version");
-        return options;
-    }
-    if (command == "--version") {
+    else if (command == "--version")
         options.command = Command::Version;
-    } else if (command == "worker") {
+    else if (command == "worker")
         options.command = Command::Worker;
-    } else if (command == "compile") {
-        options.command = Command::Compile;
-        bool hasProfile = false;
-        std::vector<Flag> flags = CompileFlags(options.compile, hasProfile);
-        std::ranges::move(LimitFlags(options), std::back_inserter(flags));
-        const std::vector<std::string> others = ParseFlags(words.subspan(1), flags);
-        CheckCompileOptions(options.compile, hasProfile, others);
-        const std::string& output = options.compile.output;
-        if (output.empty()) throw UsageError("no output is given: expected -o OUT.spv");
-        if ((!output.ends_with(".spv") && !output.starts_with("/dev/")) || output == options.compile.file)
-            throw UsageError("'-o {}': expected a name that ends in .spv and is not the shader's", output);
-    } else if (command == "build") {
-        options.command = Command::Build;
-        std::vector<Flag> flags = LimitFlags(options);
-        flags.push_back({"-o", true, [&](const std::string& value) { options.outputDir = value; }});
-        flags.push_back(
-            {"-j", true, [&](const std::string& value) { options.jobs = ParseNumber("-j", value, 1, 256); }, true});
-        flags.push_back({"--embed", true, [&](const std::string& value) {
-                             if (!IsIdentifier(value))
-                                 throw UsageError("'--embed {}': expected a C++ identifier", value);
-                             options.embed = value;
-                         }});
-        flags.push_back({"--depfile", true, [&](const std::string& value) { options.depfile = value; }});
-        const std::vector<std::string> others = ParseFlags(words.subspan(1), flags);
-        if (others.size() != 1) throw UsageError("expected one manifest; {} are given", others.size());
-        if (options.outputDir.empty()) throw UsageError("no output folder is given: expected -o DIR");
-        options.manifest = others[0];
-    } else {
-        throw UsageError("unknown command '{}'; accepted: compile, build, --help, --version", command);
-    }
+    else if (command == "compile")
+        ParseCompile(words.subspan(1), options);
+    else if (command == "build")
+        ParseBuild(words.subspan(1), options);
+    else
+        throw UsageError("unknown command '{}'; {}", command, kCommands);
     return options;
 }
 

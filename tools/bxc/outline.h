@@ -17,7 +17,7 @@ public:
     // preprocessed  without comments and inactive lines, with #line where file or line jump; starts in line 1 of
     //               `mainFile`
     // source        the texts as they are in the files, for the columns. Outlives the outline.
-    Outline(std::string_view preprocessed, const std::string& mainFile, const Source& source);
+    Outline(std::string preprocessed, const std::string& mainFile, const Source& source);
 
     // Where a global variable or a cbuffer is declared: its first mention outside brackets.
     SourcePlace Global(std::string_view name) const;
@@ -34,21 +34,23 @@ public:
 
 private:
     struct Token {
-        std::string text;
-        std::string file;
-        int line = 0;
-        int depth = 0;  // of brackets around it
+        size_t begin, length;  // in m_text
+        size_t file;           // in m_files
+        int line;
+        int depth;  // of the brackets around it
     };
 
-    const Token& At(size_t index) const;
+    void ReadLine(size_t begin, size_t end, int line);
+    std::string_view Text(size_t index) const;  // "" behind the last token
     SourcePlace PlaceOf(size_t index) const;
     size_t ClosingOf(size_t opening) const;
     size_t FindFunction(std::string_view name) const;
-    size_t FindVariable(std::string_view name, size_t begin, size_t end) const;
-    size_t FindField(std::string_view name, std::string_view structName) const;
+    size_t FindVariable(std::string_view name, size_t owner, size_t opening) const;
+    size_t FindField(std::string_view name, std::string_view structName, size_t before) const;
 
     const Source* m_source;
-    std::string m_mainFile;
+    std::string m_text;
+    std::vector<std::string> m_files;  // the main file, then every one that a #line names
     std::vector<Token> m_tokens;
 };
 

@@ -8,11 +8,13 @@
 namespace boxcar {
 
 void Report::Add(const Diagnostics& diagnostics, const std::string& root) {
+    bool told = false;
     for (Diagnostic diagnostic : diagnostics) {
         std::string& file = diagnostic.place.file;
         file = (std::filesystem::path(root) / file).lexically_normal().generic_string();
         const std::string text = ToText(diagnostic);
-        if (!m_told.insert(text).second) continue;
+        if (diagnostic.severity != Severity::Note) told = !m_told.insert(text).second;
+        if (told) continue;
         ClearProgress();
         fmt::print(stderr, "{}\n", text);
     }

@@ -26,7 +26,7 @@ namespace boxcar {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Define, name, value)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CompileOptions, file, stage, entry, defines, includeDirs, optimization, debugInfo,
                                    warningsAreErrors, dx9Compatible, hlslVersion, after, output)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ShaderJob, root, options, output, line)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ShaderJob, root, options, output)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SourcePlace, file, line, column)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Diagnostic, place, severity, text)
 

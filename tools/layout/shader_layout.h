@@ -16,14 +16,14 @@ namespace boxcar {
 enum class ShaderStage { Vertex, Pixel, Compute };
 
 enum class ResourceKind {
-    ConstantBuffer,  // cbuffer
-    PushConstants,   // [[vk::push_constant]] cbuffer; set and binding are 0 and mean nothing
-    Texture,         // Texture2D, Texture3D, TextureCube
-    Sampler,         // SamplerState
-    StorageImage,    // RWTexture2D, RWTexture3D
-    StorageBuffer,   // StructuredBuffer, ByteAddressBuffer and their RW forms
+    ConstantBuffer,        // cbuffer
+    PushConstants,         // [[vk::push_constant]] cbuffer; set and binding are 0 and mean nothing
+    Texture,               // Texture2D, Texture3D, TextureCube
+    Sampler,               // SamplerState
+    StorageImage,          // RWTexture2D, RWTexture3D
+    StorageBuffer,         // StructuredBuffer, ByteAddressBuffer and their RW forms
     CombinedImageSampler,  // what D3D9-style `sampler` + tex2D becomes
-    TexelBuffer,     // Buffer, RWBuffer
+    TexelBuffer,           // Buffer, RWBuffer
 };
 
 // One variable of a constant block. Nested structs are flattened: "light.colour", "weights".

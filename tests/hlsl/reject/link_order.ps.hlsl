@@ -1,8 +1,8 @@
 // flags: -T ps_5_0 --after include/link.vs.hlsl
-// expect: link_order.ps.hlsl:11:12: error: 'float2 uv : TEXCOORD0' would receive another output, for it has the same location, 0; let both stages share one struct [stage_link]
-// expect: include/link.vs.hlsl:5:12: note: 'float2 key : KEY0' is written here
-// expect: link_order.ps.hlsl:12:12: error: 'float2 key : KEY0' would receive another output, for it has the same location, 1; let both stages share one struct [stage_link]
-// expect: include/link.vs.hlsl:6:12: note: 'float2 uv : TEXCOORD0' is written here
+// expect: link_order.ps.hlsl:11:12: error: 'float2 uv : TEXCOORD0' has location 0, where the vertex shader writes 'float2 key : KEY0'; let both stages share one struct [stage_link]
+// expect: include/link.vs.hlsl:5:12: note: it is written here
+// expect: link_order.ps.hlsl:12:12: error: 'float2 key : KEY0' has location 1, where the vertex shader writes 'float2 uv : TEXCOORD0'; let both stages share one struct [stage_link]
+// expect: include/link.vs.hlsl:6:12: note: it is written here
 
 // The same fields in another order: crosswise.
 struct PsIn

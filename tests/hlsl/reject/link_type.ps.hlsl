@@ -1,6 +1,6 @@
 // flags: -T ps_5_0 --after include/link.vs.hlsl
-// expect: link_type.ps.hlsl:9:12: error: 'float4 key : KEY0' would receive another output, for it has the same location, 0; let both stages share one struct [stage_link]
-// expect: include/link.vs.hlsl:5:12: note: 'float2 key : KEY0' is written here
+// expect: link_type.ps.hlsl:9:12: error: 'float4 key : KEY0' has location 0, where the vertex shader writes 'float2 key : KEY0'; let both stages share one struct [stage_link]
+// expect: include/link.vs.hlsl:5:12: note: it is written here
 // expect: link_type.ps.hlsl:12:9: error: the vertex shader does not write 'float3 extra : EXTRA0'; let both stages share one struct [stage_link]
 
 struct PsIn

@@ -1,5 +1,5 @@
 // flags: -T ps_5_0
-// expect: loose_struct.ps.hlsl:5:35: error: 'light' is a constant outside a cbuffer; put it into a named cbuffer with a register, or make it static const [loose_globals]
+// expect: loose_struct.ps.hlsl:5:45: error: 'light' is a constant outside a cbuffer; put it into a named cbuffer with a register, or make it static const [loose_globals]
 
 // The line below is what people write for push constants; only the cbuffer form is that.
 struct Light { float a, b; }; uniform Light light;

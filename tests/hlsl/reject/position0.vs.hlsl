@@ -1,6 +1,6 @@
 // flags: -T vs_3_0
 // expect: position0.vs.hlsl:8:8: error: 'main' writes no SV_Position [missing_position]
-// expect: position0.vs.hlsl:7:21: note: POSITION is an ordinary output, not the position
+// expect: position0.vs.hlsl:7:23: note: POSITION is an ordinary output, not the position
 
 // As Direct3D 9 shaders wrote it.
 struct VsIn { float4 position : POSITION; };

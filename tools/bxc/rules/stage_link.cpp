@@ -2,24 +2,29 @@
 // declaration and semantics are ignored, so another order or a subset reads another output's value.
 #include "tools/bxc/rules.h"
 
+#include <cstdlib>
 #include <map>
 
 namespace boxcar::rules::stage_link {
 namespace {
 
-std::map<uint32_t, const LayoutVariable*> ByLocation(const std::vector<LayoutVariable>& variables) {
-    std::map<uint32_t, const LayoutVariable*> byLocation;
+std::string WithIndexPlus(const std::string& semantic, uint32_t offset) {
+    const size_t digits = semantic.find_last_not_of("0123456789") + 1;
+    return fmt::format("{}{}", semantic.substr(0, digits), std::atoi(semantic.c_str() + digits) + offset);
+}
+
+// A matrix or an array takes several locations, and as many semantics.
+std::map<uint32_t, LayoutVariable> ByLocation(const std::vector<LayoutVariable>& variables) {
+    std::map<uint32_t, LayoutVariable> byLocation;
     for (const LayoutVariable& variable : variables)
-        byLocation.emplace(variable.location, &variable);
+        for (uint32_t i = 0; i < variable.locationCount; ++i)
+            byLocation[variable.location + i] = {variable.name, WithIndexPlus(variable.semantic, i),
+                                                 variable.location + i, 1, variable.type};
     return byLocation;
 }
 
 std::string Text(const LayoutVariable& variable) {
     return fmt::format("{} {} : {}", variable.type, variable.name, variable.semantic);
-}
-
-bool Match(const LayoutVariable& a, const LayoutVariable& b) {
-    return a.type == b.type && a.locationCount == b.locationCount && a.semantic == b.semantic;
 }
 
 }  // namespace
@@ -30,27 +35,27 @@ void Check(const RuleSubject& shader, const RuleSubject* before, Diagnostics& di
         diagnostics.push_back({place, Severity::Error, text + "; let both stages share one struct"});
     };
     const auto noteWhereWritten = [&](const LayoutVariable& out) {
-        diagnostics.push_back({before->outline.Output(before->options.entry, out.name), Severity::Note,
-                               fmt::format("'{}' is written here", Text(out))});
+        diagnostics.push_back(
+            {before->outline.Output(before->options.entry, out.name), Severity::Note, "it is written here"});
     };
     const std::string& entry = shader.options.entry;
     const auto written = ByLocation(before->declared.outputs);
     const auto taken = ByLocation(shader.declared.inputs);
     for (const auto& [location, in] : taken) {
-        const SourcePlace place = shader.outline.Input(entry, in->name);
+        const SourcePlace place = shader.outline.Input(entry, in.name);
         const auto out = written.find(location);
         if (out == written.end()) {
-            error(place, fmt::format("the vertex shader does not write '{}'", Text(*in)));
-        } else if (!Match(*in, *out->second)) {
-            error(place, fmt::format("'{}' would receive another output, for it has the same location, {}", Text(*in),
-                                     location));
-            noteWhereWritten(*out->second);
+            error(place, fmt::format("the vertex shader does not write '{}'", Text(in)));
+        } else if (in.type != out->second.type || in.semantic != out->second.semantic) {
+            error(place, fmt::format("'{}' has location {}, where the vertex shader writes '{}'", Text(in), location,
+                                     Text(out->second)));
+            noteWhereWritten(out->second);
         }
     }
     for (const auto& [location, out] : written) {
         if (taken.contains(location)) continue;
-        error(shader.EntryPlace(), fmt::format("'{}' takes only a part of what the vertex shader writes", entry));
-        noteWhereWritten(*out);
+        error(shader.EntryPlace(), fmt::format("'{}' does not take '{}'", entry, Text(out)));
+        noteWhereWritten(out);
     }
 }
 
