@@ -126,7 +126,10 @@ std::vector<vk::DescriptorSet> CommandList::Impl::AllocateSets(const Pipeline::I
         std::vector<vk::DescriptorSet> sets(layouts.size());
         const vk::DescriptorSetAllocateInfo info(*descriptorPools.back(), layouts);
         const vk::Result result = (*device->device).allocateDescriptorSets(&info, sets.data(), dispatch);
-        if (result == vk::Result::eSuccess) return sets;
+        if (result != vk::Result::eSuccess) continue;
+        for (const vk::DescriptorSet set : sets)
+            device->Name(set, pipeline.name);
+        return sets;
     }
     throw Error("the device has no memory left for descriptors");
 }

@@ -166,7 +166,8 @@ Device::Device(const DeviceDesc& desc) : m_impl(new Impl(LoadVulkan())) {
         vk::DebugUtilsMessengerCreateInfoEXT info;
         info.messageSeverity = Severity::eWarning | Severity::eError;
         info.messageType = Type::eValidation | Type::ePerformance;
-        info.pfnUserCallback = reinterpret_cast<decltype(info.pfnUserCallback)>(&OnMessage);
+        // vulkan.hpp's own type of it changed between 1.3 and 1.4; by way of void* either will do.
+        info.pfnUserCallback = reinterpret_cast<decltype(info.pfnUserCallback)>(reinterpret_cast<void*>(&OnMessage));
         info.pUserData = &d;
         d.messenger = vk::raii::DebugUtilsMessengerEXT(d.instance, info);
     }
@@ -234,6 +235,7 @@ void Device::Impl::Finish() {
         nanosecondsPerTick = base.limits.timestampPeriod;
     commandPool.emplace(device,
                         vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eResetCommandBuffer, queueFamily));
+    Name(*commandPool, "boxcar commands");
 }
 
 std::optional<uint32_t> Device::Impl::MemoryType(uint32_t typeBits, vk::MemoryPropertyFlags flags) const {

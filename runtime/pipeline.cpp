@@ -61,6 +61,8 @@ public:
     void Finish() {
         for (const auto& set : m_sets)
             m_pipeline.setLayouts.emplace_back(m_pipeline.device->device, vk::DescriptorSetLayoutCreateInfo({}, set));
+        for (const auto& layout : m_pipeline.setLayouts)
+            m_pipeline.device->Name(layout, m_pipeline.name);
     }
 
 private:

@@ -48,12 +48,15 @@ struct Device::Impl {
     // Counts bytes in and, negative, out.
     void CountMemory(int64_t bytes);
 
+    // For debuggers; takes handles and their owners.
     template <typename Handle>
     void Name(const Handle& handle, const std::string& name) const {
-        if (!hasDebugNames || name.empty()) return;
-        using C = typename Handle::CType;
-        device.setDebugUtilsObjectNameEXT(
-            {Handle::objectType, reinterpret_cast<uint64_t>(static_cast<C>(*handle)), name.c_str()});
+        if constexpr (requires { *handle; }) {
+            Name(*handle, name);
+        } else if (hasDebugNames && !name.empty()) {
+            const auto number = reinterpret_cast<uint64_t>(static_cast<typename Handle::CType>(handle));
+            device.setDebugUtilsObjectNameEXT({Handle::objectType, number, name.c_str()});
+        }
     }
 
     // The sampler of a name, made when first asked for; nullptr for a name that says nothing.

@@ -71,8 +71,10 @@ float4 SATSumStrip(Texture2D<float4> table, int2 extentTexels, float loX, float 
 //   box           from SATClipBox: inside the image
 //   returns       sum per channel, in the source's units x texels
 //
-// Error:  besides the rounding of the table's own entries, at most 8 u S, u = 2^-24, S = the largest sum of |T|
-//         differences along a row of the table between the box's columns (SATTest.BoxErrorStaysWithinTheBound).
+// Error:  at most (4 d + 20) u S, where u = 2^-24, d = ceil(log2 W) + ceil(log2 H) is the depth of the tree by which
+//         sat_build.hlsli adds, and S the sum of the magnitudes of all texels: 4 d for the table's entries at four
+//         corners, 20 for this lookup (BoxFilter.IsWithinTheDocumentedBoundOfTheDefinition). 0 where S < 2^24 and both
+//         the texels and the box's edges are whole numbers.
 // Cost:   16 loads, no dependent reads.
 //
 // Crow 1984, sect. 2.1; Hensley 2005, sect. 2 (Fig. 2)

@@ -12,12 +12,6 @@
 
 namespace boxcar {
 
-// The command line itself is wrong: exit 2.
-class UsageError : public Error {
-public:
-    using Error::Error;
-};
-
 // Light in, light out: how values in files become values that are filtered.
 enum class Transfer {
     Srgb,  // 8 and 16-bit files hold sRGB codes, float files linear light; filters linear light

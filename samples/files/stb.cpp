@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <set>
+#include <utility>
 
 namespace boxcar {
 namespace {
@@ -27,10 +28,13 @@ public:
     // As realloc. A stream that unpacks to more than its picture ends here.
     void* Reallocate(void* block, size_t bytes) {
         if (bytes > m_maxBlockBytes) return nullptr;
+        auto owned = m_blocks.extract(block);  // before realloc may make the pointer one to nothing
         void* moved = std::realloc(block, bytes);
-        if (moved == nullptr) return nullptr;
-        m_blocks.erase(block);
-        m_blocks.insert(moved);
+        if (moved != nullptr) {
+            m_blocks.insert(moved);
+        } else if (owned) {
+            m_blocks.insert(std::move(owned));
+        }
         return moved;
     }
 

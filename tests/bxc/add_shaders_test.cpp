@@ -1,7 +1,7 @@
 // boxcar_add_shaders (cmake/shaders.cmake), from a manifest to a program that holds the shaders.
-#include "tests/bxc/bxc_test.h"
-
 #include <fmt/format.h>
+
+#include "tests/bxc/bxc_test.h"
 
 namespace boxcar {
 namespace {

@@ -1,7 +1,7 @@
 // bxc build: what it compiles, what it leaves alone, what it removes.
-#include "tests/bxc/bxc_test.h"
-
 #include <fmt/format.h>
+
+#include "tests/bxc/bxc_test.h"
 
 namespace boxcar {
 namespace {

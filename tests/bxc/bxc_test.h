@@ -1,13 +1,13 @@
 // A folder of its own for each test, and the program bxc to run in it.
 #pragma once
 
-#include "tools/layout/shader_layout.h"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <string>
 #include <vector>
+
+#include "tools/layout/shader_layout.h"
 
 namespace boxcar {
 

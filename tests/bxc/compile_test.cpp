@@ -1,11 +1,11 @@
 // bxc compile, from text to files.
-#include "tests/bxc/bxc_test.h"
-#include "tools/bxc/validate.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstring>
+
+#include "tests/bxc/bxc_test.h"
+#include "tools/bxc/validate.h"
 
 namespace boxcar {
 namespace {

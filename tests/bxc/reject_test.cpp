@@ -1,11 +1,11 @@
 // Every file in tests/hlsl/reject must be refused with exactly the messages at its head:
 //   // flags: -T ps_5_0
 //   // expect: loose_global.ps.hlsl:4:7: error: ..
-#include "tests/bxc/bxc_test.h"
-
 #include <algorithm>
 #include <fstream>
 #include <sstream>
+
+#include "tests/bxc/bxc_test.h"
 
 namespace boxcar {
 namespace {

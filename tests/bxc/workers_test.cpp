@@ -1,10 +1,10 @@
 // What the compiler does to itself stays in its process.
-#include "tests/bxc/bxc_test.h"
-
 #include <fmt/format.h>
 
 #include <chrono>
 #include <cstdlib>
+
+#include "tests/bxc/bxc_test.h"
 
 namespace boxcar {
 namespace {
@@ -47,10 +47,10 @@ TEST_F(WorkersTest, HangOfTheCompilerIsEndedAndTheRestGoOn) {
     Write("good.hlsl", kPlainPixelShader);
     Write("s.cfg", "hang.hlsl -T ps\ngood.hlsl -T ps\n");
     const auto started = std::chrono::steady_clock::now();
-    const RunResult run = Bxc({"build", "s.cfg", "-o", "out", "-j1", "--timeout", "1", "--max-memory", "100000"});
-    EXPECT_LT(std::chrono::steady_clock::now() - started, std::chrono::seconds(20));
+    const RunResult run = Bxc({"build", "s.cfg", "-o", "out", "-j1", "--timeout", "5", "--max-memory", "100000"});
+    EXPECT_LT(std::chrono::steady_clock::now() - started, std::chrono::seconds(55));
     EXPECT_EQ(run.exitCode, 1);
-    EXPECT_EQ(run.err, "hang.hlsl: error: the compiler was ended: it took more than 1 s\n");
+    EXPECT_EQ(run.err, "hang.hlsl: error: the compiler was ended: it took more than 5 s\n");
     EXPECT_TRUE(Exists("out/good.spv"));
 }
 

@@ -1,10 +1,10 @@
 #include "tools/layout/shader_layout.h"
 
-#include "tools/layout/error.h"
-
 #include <gtest/gtest.h>
 
 #include <string>
+
+#include "tools/layout/error.h"
 
 namespace boxcar {
 namespace {

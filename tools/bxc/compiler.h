@@ -4,14 +4,14 @@
 // a register gets the next free binding of its class. With -Gec a sampler is texture and sampler in one: 96 + N.
 #pragma once
 
-#include "tools/bxc/diagnostic.h"
-#include "tools/bxc/options.h"
-#include "tools/bxc/source.h"
-
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
+
+#include "tools/bxc/diagnostic.h"
+#include "tools/bxc/options.h"
+#include "tools/bxc/source.h"
 
 namespace boxcar {
 

@@ -1,12 +1,12 @@
 #include "tools/bxc/embed.h"
 
-#include "tools/bxc/write.h"
-#include "tools/layout/error.h"
-
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <sstream>
+
+#include "tools/bxc/write.h"
+#include "tools/layout/error.h"
 
 namespace boxcar {
 namespace {

@@ -5,10 +5,10 @@
 //   for (const boxcar::EmbeddedShader& each : boxcar::NAME::All()) ..
 #pragma once
 
-#include "tools/bxc/manifest.h"
-
 #include <string>
 #include <vector>
+
+#include "tools/bxc/manifest.h"
 
 namespace boxcar {
 

@@ -1,13 +1,13 @@
 // The only file that knows glslang.
-#include "tools/bxc/compiler.h"
-#include "tools/bxc/glslang_log.h"
-
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
 #include <glslang/SPIRV/GlslangToSpv.h>
 #include <glslang/build_info.h>
 
 #include <deque>
+
+#include "tools/bxc/compiler.h"
+#include "tools/bxc/glslang_log.h"
 
 namespace boxcar {
 namespace {

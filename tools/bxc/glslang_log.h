@@ -1,10 +1,10 @@
 // Reads what glslang prints.
 #pragma once
 
+#include <string>
+
 #include "tools/bxc/diagnostic.h"
 #include "tools/bxc/source.h"
-
-#include <string>
 
 namespace boxcar {
 

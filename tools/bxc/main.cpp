@@ -1,6 +1,14 @@
 // bxc: HLSL text -> SPIR-V that is proven valid, its layout and its dependencies. CompileShader() is the pipeline.
 //
 // Non-goals: a preprocessor, linker or optimiser of its own; geometry, hull and ray stages; Direct3D bytecode.
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <optional>
+#include <set>
+
 #include "tools/bxc/compiler.h"
 #include "tools/bxc/embed.h"
 #include "tools/bxc/manifest.h"
@@ -14,14 +22,6 @@
 #include "tools/bxc/version.h"
 #include "tools/bxc/workers.h"
 #include "tools/bxc/write.h"
-
-#include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <exception>
-#include <optional>
-#include <set>
 
 namespace boxcar {
 namespace {

@@ -1,9 +1,9 @@
 #include "tools/bxc/manifest.h"
 
-#include "tools/bxc/source.h"
-
 #include <filesystem>
 #include <map>
+
+#include "tools/bxc/source.h"
 
 namespace boxcar {
 namespace {

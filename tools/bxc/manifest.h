@@ -8,12 +8,12 @@
 // DIR/shaders/sat_pass.ps.TAPS=4.spv. #include looks in the manifest's own folder last.
 #pragma once
 
-#include "tools/bxc/diagnostic.h"
-#include "tools/bxc/options.h"
-
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "tools/bxc/diagnostic.h"
+#include "tools/bxc/options.h"
 
 namespace boxcar {
 

@@ -1,11 +1,11 @@
 // Makes SPIR-V legal for Vulkan, and fast. Here SPIRV-Tools does.
 #pragma once
 
-#include "tools/bxc/diagnostic.h"
-
 #include <cstdint>
 #include <string>
 #include <vector>
+
+#include "tools/bxc/diagnostic.h"
 
 namespace boxcar {
 

@@ -2,22 +2,16 @@
 // manifest share. One parser reads both, so a flag means the same everywhere.
 #pragma once
 
-#include "tools/layout/error.h"
-#include "tools/layout/shader_layout.h"
-
 #include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-namespace boxcar {
+#include "tools/layout/error.h"
+#include "tools/layout/shader_layout.h"
 
-// The command line is wrong: programs exit 2.
-class UsageError : public Error {
-public:
-    using Error::Error;
-};
+namespace boxcar {
 
 struct Define {
     std::string name;

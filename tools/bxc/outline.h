@@ -3,12 +3,12 @@
 // Non-goals: a parser. Tokens and brackets are enough to find a name.
 #pragma once
 
-#include "tools/bxc/source.h"
-
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "tools/bxc/source.h"
 
 namespace boxcar {
 

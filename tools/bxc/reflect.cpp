@@ -1,9 +1,8 @@
 #include "tools/bxc/reflect.h"
 
-#include <spirv_cross.hpp>
-
 #include <algorithm>
 #include <cstdlib>
+#include <spirv_cross.hpp>
 #include <tuple>
 
 namespace boxcar {

@@ -1,12 +1,12 @@
 // Reads back from SPIR-V what a program needs to run it. Here SPIRV-Cross does.
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "tools/bxc/diagnostic.h"
 #include "tools/bxc/options.h"
 #include "tools/layout/shader_layout.h"
-
-#include <cstdint>
-#include <vector>
 
 namespace boxcar {
 

@@ -1,11 +1,11 @@
 // Tells the user: each message once, on stderr, as it comes; one line on stdout at the end of a build.
 #pragma once
 
-#include "tools/bxc/diagnostic.h"
-
 #include <cstddef>
 #include <set>
 #include <string>
+
+#include "tools/bxc/diagnostic.h"
 
 namespace boxcar {
 

@@ -2,12 +2,12 @@
 // shader depends on.
 #pragma once
 
-#include "tools/bxc/diagnostic.h"
-
 #include <map>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "tools/bxc/diagnostic.h"
 
 namespace boxcar {
 

@@ -1,7 +1,6 @@
 #include "tools/bxc/validate.h"
 
 #include <spirv-tools/libspirv.hpp>
-
 #include <sstream>
 
 namespace boxcar {

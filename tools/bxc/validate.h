@@ -1,11 +1,11 @@
 // Proves that SPIR-V keeps the rules of Vulkan 1.1. Here SPIRV-Tools does.
 #pragma once
 
-#include "tools/bxc/diagnostic.h"
-
 #include <cstdint>
 #include <string>
 #include <vector>
+
+#include "tools/bxc/diagnostic.h"
 
 namespace boxcar {
 

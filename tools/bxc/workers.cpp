@@ -1,7 +1,5 @@
 #include "tools/bxc/workers.h"
 
-#include "tools/layout/error.h"
-
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
@@ -11,15 +9,16 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <nlohmann/json.hpp>
-
 #include <chrono>
 #include <cstring>
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <thread>
+
+#include "tools/layout/error.h"
 
 namespace boxcar {
 

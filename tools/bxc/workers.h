@@ -2,14 +2,14 @@
 // shader with it and not the build.
 #pragma once
 
-#include "tools/bxc/diagnostic.h"
-#include "tools/bxc/manifest.h"
-#include "tools/layout/shader_layout.h"
-
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
+
+#include "tools/bxc/diagnostic.h"
+#include "tools/bxc/manifest.h"
+#include "tools/layout/shader_layout.h"
 
 namespace boxcar {
 

@@ -1,9 +1,5 @@
 #include "tools/bxc/write.h"
 
-#include "tools/bxc/compiler.h"
-#include "tools/bxc/version.h"
-#include "tools/layout/error.h"
-
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <time.h>
@@ -15,6 +11,10 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+
+#include "tools/bxc/compiler.h"
+#include "tools/bxc/version.h"
+#include "tools/layout/error.h"
 
 namespace boxcar {
 namespace {

@@ -1,11 +1,11 @@
 // Files out: all that belongs to one shader at once, or none of it. And whether they need writing at all.
 #pragma once
 
-#include "tools/bxc/workers.h"
-
 #include <set>
 #include <string>
 #include <string_view>
+
+#include "tools/bxc/workers.h"
 
 namespace boxcar {
 

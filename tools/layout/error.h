@@ -17,6 +17,12 @@ public:
         : std::runtime_error(fmt::format(format, std::forward<Args>(args)...)) {}
 };
 
+// The command line is wrong. Programs exit 2.
+class UsageError : public Error {
+public:
+    using Error::Error;
+};
+
 // Prints the broken condition and aborts.
 [[noreturn]] void AssertFailed(const char* condition, const char* file, int line);
 

@@ -1,11 +1,10 @@
 #include "tools/layout/shader_layout.h"
 
-#include "tools/layout/error.h"
-
-#include <nlohmann/json.hpp>
-
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <utility>
+
+#include "tools/layout/error.h"
 
 namespace boxcar {
 namespace {

@@ -1,8 +1,8 @@
 // Two resources that the entry point uses on one register. The compiler binds both to the same place and says
 // nothing.
-#include "tools/bxc/rules.h"
-
 #include <limits>
+
+#include "tools/bxc/rules.h"
 
 namespace boxcar::rules::binding_clash {
 namespace {

@@ -1,8 +1,8 @@
 // A constant outside a cbuffer. The compiler collects these in a buffer named $Global, whose order and offsets differ
 // by stage and from Direct3D's.
-#include "tools/bxc/rules.h"
-
 #include <set>
+
+#include "tools/bxc/rules.h"
 
 namespace boxcar::rules::loose_globals {
 

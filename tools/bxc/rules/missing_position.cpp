@@ -1,7 +1,7 @@
 // A vertex shader that gives the rasteriser no position. POSITION0 is an ordinary output, not the position.
-#include "tools/bxc/rules.h"
-
 #include <algorithm>
+
+#include "tools/bxc/rules.h"
 
 namespace boxcar::rules::missing_position {
 

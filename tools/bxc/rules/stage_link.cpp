@@ -1,9 +1,9 @@
 // A pixel shader that does not take exactly what its vertex shader writes. Locations are numbered in the order of
 // declaration and semantics are ignored, so another order or a subset reads another output's value.
-#include "tools/bxc/rules.h"
-
 #include <cstdlib>
 #include <map>
+
+#include "tools/bxc/rules.h"
 
 namespace boxcar::rules::stage_link {
 namespace {
