@@ -51,7 +51,7 @@ struct Device::Impl {
     // For debuggers; takes handles and their owners.
     template <typename Handle>
     void Name(const Handle& handle, const std::string& name) const {
-        if constexpr (requires { *handle; }) {
+        if constexpr (requires { handle.getDispatcher(); }) {  // vk::raii
             Name(*handle, name);
         } else if (hasDebugNames && !name.empty()) {
             const auto number = reinterpret_cast<uint64_t>(static_cast<typename Handle::CType>(handle));

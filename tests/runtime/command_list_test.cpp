@@ -219,7 +219,7 @@ TEST(Validation, CatchesAMissingBarrier) {
     if (messages.empty() && ValidationLayerVersion() < VK_MAKE_API_VERSION(0, 1, 4, 0))
         GTEST_SKIP() << "this validation layer is older than 1.4 and does not follow drawing without render passes";
     ASSERT_FALSE(messages.empty());
-    EXPECT_NE(messages[0].find("SYNC-HAZARD"), std::string::npos) << messages[0];
+    EXPECT_NE(messages[0].find("WRITE_AFTER_WRITE hazard detected"), std::string::npos) << messages[0];
 }
 
 }  // namespace
