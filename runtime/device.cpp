@@ -191,7 +191,6 @@ Device::Device(const DeviceDesc& desc) : m_impl(new Impl(LoadVulkan())) {
 
 Device::Device(const AdoptedDevice& adopted) : m_impl(new Impl(LoadVulkan())) {
     Impl& d = *m_impl;
-    d.adopted = true;
     d.instance = vk::raii::Instance(d.context, adopted.instance);
     d.physicalDevice = vk::raii::PhysicalDevice(d.instance, adopted.physicalDevice);
     d.device = vk::raii::Device(d.physicalDevice, adopted.device);

@@ -26,7 +26,6 @@ struct Device::Impl {
     vk::raii::Queue queue = nullptr;
     uint32_t queueFamily = 0;
     bool hasDebugNames = false;
-    bool adopted = false;
 
     DeviceInfo info;
     DeviceLimits limits;

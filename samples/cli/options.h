@@ -24,7 +24,7 @@ struct DeviceOptions {
 };
 void AddDeviceOptions(CLI::App& command, DeviceOptions& options);
 
-// With validation on, a message of the layer is printed and, when the Device is done with, an Error: see Checked().
+// With validation on, each message of the layer is printed; RequireClean() then makes the work a failure.
 struct CheckedDevice {
     explicit CheckedDevice(const DeviceOptions& options);
     Device& operator*() { return device; }

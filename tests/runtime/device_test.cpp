@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "hlsl/constants/sat_constants.h"
 #include "runtime/passes/summed_area_table.h"
 #include "tests/support/device_image.h"
 #include "tests/support/expect_error.h"
