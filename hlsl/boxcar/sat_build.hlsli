@@ -8,12 +8,18 @@
 // image count as 0. The taps are added as a balanced tree, pairs first: with 2, 4, 8 and 16 taps that is one and the
 // same tree, so the four tables agree bit for bit (SummedAreaTable.EveryTapsGivesTheSameBits).
 //
-//   SATPass2/4/8/16       by interpolated uv, two to a float4: as printed
+// The sums may also start elsewhere, at an origin inside the image (a corner of texels): texels right of it add to
+// their left, texels left of it to their right, and likewise above and below.
+//
+//   SATPass2/4/8/16       by interpolated uv, two to a float4: as printed; origin (0, 0)
 //   SATPassLoad2/4/8/16   by integer address
+//   SATPassLoad           by integer address, in integers: there the order of additions is all one
 //
 // Hensley 2005, sect. 3; Scheuermann 2005 (SATPass)
 #ifndef BOXCAR_SAT_BUILD_HLSLI
 #define BOXCAR_SAT_BUILD_HLSLI
+
+#include "boxcar/sat_exact.hlsli"
 
 // SATPass2 .. SATPass16: one pass by uv.
 //
@@ -55,37 +61,87 @@ float4 SATPass16(Texture2D<float4> source, SamplerState nearestBorder, float4 uv
     return t[0] + t[4];
 }
 
-// SATPassLoad2 .. SATPassLoad16: one pass by integer address.
+// SATTaps: where the taps of a texel lie.
+struct SATTaps
+{
+    int2 texel;         // the texel that is written
+    int2 originTexels;  // the corner that the sums start from
+    int2 strideTexels;  // from one tap to the next, away from the texel and towards the origin
+};
+
+// SATTapsOf: the taps of a pass.
 //
-//   source        what the last pass wrote, or the image itself
-//   texel         the texel that is written; 0 <= texel < extent
 //   strideTexels  (s, 0) along x, (0, s) along y
+SATTaps SATTapsOf(int2 texel, int2 originTexels, int2 strideTexels)
+{
+    SATTaps taps;
+    taps.texel = texel;
+    taps.originTexels = originTexels;
+    taps.strideTexels = int2(texel.x < originTexels.x ? strideTexels.x : -strideTexels.x,
+                             texel.y < originTexels.y ? strideTexels.y : -strideTexels.y);
+    return taps;
+}
+
+// SATTapCounts: whether tap number i lies between the texel and the origin; what lies beyond it is 0.
+bool SATTapCounts(SATTaps taps, int i)
+{
+    int2 at = taps.texel + i * taps.strideTexels;
+    int2 origin = taps.originTexels;
+    return (at.x < origin.x) == (taps.texel.x < origin.x) && (at.y < origin.y) == (taps.texel.y < origin.y);
+}
+
+// SATPassLoad2 .. SATPassLoad16: one pass by integer address, from tap number i on.
 //
-// Cost:  one load a tap. Addresses left of or above the image are clamped to it and their value replaced by 0.
-float4 SATPassLoad1(Texture2D<float4> source, int2 texel)
+//   source   what the last pass wrote, or the image itself
+//
+// Cost:  one load a tap. Taps beyond the origin load the texel itself, and their value is replaced by 0.
+float4 SATPassLoad1(Texture2D<float4> source, SATTaps taps, int i)
 {
-    float4 value = source.Load(int3(max(texel, 0), 0));
-    return (texel.x >= 0 && texel.y >= 0) ? value : (float4)0;
+    bool counts = SATTapCounts(taps, i);
+    float4 value = source.Load(int3(taps.texel + (counts ? i : 0) * taps.strideTexels, 0));
+    return counts ? value : (float4)0;
 }
 
-float4 SATPassLoad2(Texture2D<float4> source, int2 texel, int2 strideTexels)
+float4 SATPassLoad2(Texture2D<float4> source, SATTaps taps, int i)
 {
-    return SATPassLoad1(source, texel) + SATPassLoad1(source, texel - strideTexels);
+    return SATPassLoad1(source, taps, i) + SATPassLoad1(source, taps, i + 1);
 }
 
-float4 SATPassLoad4(Texture2D<float4> source, int2 texel, int2 strideTexels)
+float4 SATPassLoad4(Texture2D<float4> source, SATTaps taps, int i)
 {
-    return SATPassLoad2(source, texel, strideTexels) + SATPassLoad2(source, texel - 2 * strideTexels, strideTexels);
+    return SATPassLoad2(source, taps, i) + SATPassLoad2(source, taps, i + 2);
 }
 
-float4 SATPassLoad8(Texture2D<float4> source, int2 texel, int2 strideTexels)
+float4 SATPassLoad8(Texture2D<float4> source, SATTaps taps, int i)
 {
-    return SATPassLoad4(source, texel, strideTexels) + SATPassLoad4(source, texel - 4 * strideTexels, strideTexels);
+    return SATPassLoad4(source, taps, i) + SATPassLoad4(source, taps, i + 4);
 }
 
-float4 SATPassLoad16(Texture2D<float4> source, int2 texel, int2 strideTexels)
+float4 SATPassLoad16(Texture2D<float4> source, SATTaps taps, int i)
 {
-    return SATPassLoad8(source, texel, strideTexels) + SATPassLoad8(source, texel - 8 * strideTexels, strideTexels);
+    return SATPassLoad8(source, taps, i) + SATPassLoad8(source, taps, i + 8);
+}
+
+// SATPassLoad: one pass in integers modulo 2^32 or 2^64.
+//
+//   source  what the last pass wrote, or the image itself
+//   count   taps
+//
+// Cost:  one load a tap and word.
+SATWide SATPassLoad(SATExactTable source, SATTaps taps, int count)
+{
+    SATWide sum = SATWideOf(uint4(0u, 0u, 0u, 0u), uint4(0u, 0u, 0u, 0u));
+    [unroll]
+    for (int i = 0; i < count; i++)
+    {
+        uint counts = SATTapCounts(taps, i) ? 1u : 0u;
+        int3 at = int3(taps.texel + int(counts) * i * taps.strideTexels, 0);
+        SATWide value = SATWideOf(counts * source.low.Load(at), uint4(0u, 0u, 0u, 0u));
+        if (source.words == 2)
+            value.high = counts * source.high.Load(at);
+        sum = SATWideAdd(sum, value);
+    }
+    return sum;
 }
 
 #endif

@@ -8,25 +8,42 @@
 namespace boxcar {
 #endif
 
-// sat_bias.ps: what comes before the first pass when there is a bias.
-struct SATBiasConstants
-{
-    float4 bias;  // taken off every texel, in the source's units
-};
-
-// sat_pass.vs, sat_pass_load.ps: one pass of building the table.
+// sat_pass.vs, sat_pass_load.ps, sat_pass_exact.ps: one pass of building the table.
 struct SATPassConstants
 {
     float2 strideUv;    // from one tap to the next: (s / W, 0) or (0, s / H)
     int2 strideTexels;  // the same in texels: (s, 0) or (0, s)
+    int2 originTexels;  // the corner that the sums start from; (0, 0) for sat_pass.vs
 };
 
-// sat_filter.ps, sat_blur_verbatim.ps: reading it.
+// mean.ps: one level of the mean's mip chain.
+struct MeanConstants
+{
+    int2 extentTexels;  // of the level that is read
+    float divisor;      // 1, and the number of texels of the picture for the last level
+};
+
+// sat_extend.ps: a picture with what surrounds it.
+struct SATExtendConstants
+{
+    int2 extentTexels;   // of the picture
+    int2 paddingTexels;  // on the left and on top
+    int isMirrored;      // 1: the picture and its mirror image by turns; 0: the picture over and over
+};
+
+// sat_filter.ps, sat_filter_exact.ps, sat_blur_verbatim.ps: reading it.
 struct SATFilterConstants
 {
-    int2 extentTexels;
-    float2 sizeTexels;  // full width and height of the box
-    float4 bias;        // what was taken off every texel when the table was built
+    int2 extentTexels;    // of the table
+    int2 originTexels;    // the corner that its sums start from
+    int2 paddingTexels;   // the table's texel that the result's texel (0, 0) is
+    int2 widthMapTexels;  // extent of the map of widths; (1, 1) for one width everywhere
+    float2 minTexels;     // width and height of the box where the map is 0
+    float2 maxTexels;     // and where it is 1
+    int boxes;            // that stand for a disc; 1 for a box
+    float codeScale;      // what 1 is in codes: 255, 65535, 2^24
+    float largestMass;    // of SATBoxIsExact
+    int isSigned;         // 1: codes may be negative
 };
 
 #ifdef __cplusplus

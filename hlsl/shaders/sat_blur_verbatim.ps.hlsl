@@ -14,5 +14,5 @@ SamplerState nearestBorder : register(s0);
 float4 main(QuadVertex i) : SV_Target0
 {
     sampler tSAT = D3D9Sampler(table, nearestBorder);
-    return tex2D_SAT_blur(tSAT, i.uv, TexelEdgeToUv(g.sizeTexels, g.extentTexels));
+    return tex2D_SAT_blur(tSAT, i.uv, TexelEdgeToUv(g.minTexels, g.extentTexels));
 }

@@ -1,23 +1,29 @@
-// sat_filter.ps: the mean over a box round every texel. EDGE_ZERO = 0: the box is clipped to the image and divided by
-// the area that is left; 1: the image is 0 outside and the whole box divides.
+// sat_filter.ps: the mean over a box or a disc round every texel, from a table of floats. EDGE is a SAT_EDGE_...
 // Crow 1984, sect. 2.1; Hensley 2005, sect. 4.2.1 (the bias, added back over the area that carried it)
-#include "boxcar/compat.hlsli"
 #include "boxcar/sat.hlsli"
-#include "constants/sat_constants.h"
-#include "shaders/quad_io.hlsli"
+#include "shaders/sat_filter_io.hlsli"
 
-BOXCAR_CONSTANTS(Constants) { SATFilterConstants g; };
 Texture2D<float4> table : register(t0);
+Texture2D<float4> bias : register(t1);  // one texel: what was taken off when the table was built
 
 float4 main(QuadVertex i) : SV_Target0
 {
-    SATBox box = SATClipBox(g.extentTexels, i.position.xy, g.sizeTexels);
-    float insideTexels = SATBoxArea(box);
-    float4 sum = SATSumBox(table, g.extentTexels, box);
-#if EDGE_ZERO
-    float2 wholeTexels = max(g.sizeTexels, 1.0);
-    return (sum + insideTexels * g.bias) / (wholeTexels.x * wholeTexels.y);
-#else
-    return sum / insideTexels + g.bias;
-#endif
+    SATFrame frame;
+    frame.extentTexels = g.extentTexels;
+    frame.originTexels = g.originTexels;
+    frame.edge = EDGE;
+
+    float2 sizeTexels = SizeAt(TexelFromEdge(i.position.xy));
+    float4 sum = (float4)0;
+    float insideTexels = 0.0, wholeTexels = 0.0;
+    for (int k = 0; k < g.boxes; k++)
+    {
+        SATBox whole = SATDiscBox(i.position.xy, sizeTexels, g.boxes, k);
+        SATBox inside = SATClipBox(frame, whole);
+        sum += SATSumBox(table, frame, inside);
+        insideTexels += SATBoxArea(inside);
+        wholeTexels += SATBoxArea(whole);
+    }
+    float4 biasTexel = bias.Load(int3(0, 0, 0));
+    return EDGE == SAT_EDGE_ZERO ? (sum + insideTexels * biasTexel) / wholeTexels : sum / insideTexels + biasTexel;
 }

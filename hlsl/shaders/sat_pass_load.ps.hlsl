@@ -11,14 +11,14 @@ Texture2D<float4> source : register(t0);
 
 float4 main(QuadVertex i) : SV_Target0
 {
-    int2 texel = TexelFromEdge(i.position.xy);
+    SATTaps taps = SATTapsOf(TexelFromEdge(i.position.xy), g.originTexels, g.strideTexels);
 #if TAPS == 2
-    return SATPassLoad2(source, texel, g.strideTexels);
+    return SATPassLoad2(source, taps, 0);
 #elif TAPS == 4
-    return SATPassLoad4(source, texel, g.strideTexels);
+    return SATPassLoad4(source, taps, 0);
 #elif TAPS == 8
-    return SATPassLoad8(source, texel, g.strideTexels);
+    return SATPassLoad8(source, taps, 0);
 #else
-    return SATPassLoad16(source, texel, g.strideTexels);
+    return SATPassLoad16(source, taps, 0);
 #endif
 }

@@ -9,19 +9,27 @@
 namespace boxcar {
 namespace {
 
-uint32_t CheckedTaps(uint32_t taps) {
-    if (taps == 2 || taps == 4 || taps == 8 || taps == 16) return taps;
-    throw Error("{} taps: a pass adds 2, 4, 8 or 16 texels", taps);
-}
-
-PipelineDesc PassShaders(uint32_t taps, TapAddressing addressing) {
-    const auto permutation = [&](const char* name) { return fmt::format("shaders/{}.TAPS={}", name, taps); };
-    if (addressing == TapAddressing::Integer)
-        return {passes_shaders::Find("shaders/quad.vs"), passes_shaders::Find(permutation("sat_pass_load.ps"))};
-    return {passes_shaders::Find(permutation("sat_pass.vs")), passes_shaders::Find(permutation("sat_pass.ps"))};
+SummedAreaTableDesc Checked(SummedAreaTableDesc desc) {
+    if (desc.taps != 2 && desc.taps != 4 && desc.taps != 8 && desc.taps != 16)
+        throw Error("{} taps: a pass adds 2, 4, 8 or 16 texels", desc.taps);
+    if (desc.order < 1 || desc.order > 3) throw Error("order {}: tables are of order 1, 2 or 3", desc.order);
+    const bool isFloat = desc.precision == SATPrecision::FP32;
+    if (isFloat && desc.order > 1)
+        throw Error("order {} in floats: they have too few digits for it; U32 and U64 hold it exactly", desc.order);
+    if (!isFloat || desc.origin != SATOrigin::Corner) desc.addressing = TapAddressing::Integer;
+    return desc;
 }
 
 }  // namespace
+
+glm::ivec2 OriginTexels(SATOrigin origin, Extent2D extent) {
+    switch (origin) {
+        case SATOrigin::Corner: return {0, 0};
+        case SATOrigin::Center: return {extent.widthTexels / 2, extent.heightTexels / 2};
+        case SATOrigin::LowerLeft: return {0, extent.heightTexels};
+    }
+    return {};
+}
 
 uint32_t SummedAreaTablePassCount(uint32_t sizeTexels, uint32_t taps) {
     uint32_t passes = 0;
@@ -30,69 +38,104 @@ uint32_t SummedAreaTablePassCount(uint32_t sizeTexels, uint32_t taps) {
     return passes;
 }
 
+uint64_t SummedAreaTableBytes(Extent2D extent, SATPrecision precision) {
+    return 2 * WordsOf(precision) * extent.Texels() * BytesPerTexel(WordFormat(precision));
+}
+
 SummedAreaTable::SummedAreaTable(Device& device, const SummedAreaTableDesc& desc)
-    : m_desc(desc), m_targets(device, {desc.extent, Format::RGBA32F, "summed-area table"}) {
-    CheckedTaps(desc.taps);
-    AddAxis(desc.extent.widthTexels, {1, 0});
-    AddAxis(desc.extent.heightTexels, {0, 1});
+    : m_desc(Checked(desc)), m_low(device, {desc.extent, WordFormat(desc.precision), "summed-area table"}) {
+    if (desc.precision == SATPrecision::U64)
+        m_high.emplace(device, ImageDesc{desc.extent, Format::RGBA32UI, "summed-area table, upper words"});
+    for (int axis = 0; axis < 2; axis++)
+        for (uint32_t i = 0; i < desc.order; i++)
+            AddAxis(axis);
     for (const Step& step : m_steps)
-        if (!m_passes.contains(step.taps))
-            m_passes.emplace(step.taps, Pipeline(device, PassShaders(step.taps, desc.addressing)));
-    if (desc.bias != glm::vec4(0))
+        if (!m_passes.contains(step.taps)) m_passes.emplace(step.taps, Pipeline(device, PassShaders(step.taps)));
+    if (desc.precision == SATPrecision::FP32)
         m_takeOffBias.emplace(device, PipelineDesc{passes_shaders::Find("shaders/quad.vs"),
                                                    passes_shaders::Find("shaders/sat_bias.ps")});
 }
 
-// Pass i leaves out the first taps^(i-1) texels of its axis: the pass before the last one has put their final sums
-// into this target already. (taps^i, as the paper has it, would leave stale texels in one of the two targets.) The
-// first two passes of all write everything: until then a target holds nothing.
-void SummedAreaTable::AddAxis(uint32_t sizeTexels, glm::ivec2 axis) {
-    const uint32_t passes = SummedAreaTablePassCount(sizeTexels, m_desc.taps);
+PipelineDesc SummedAreaTable::PassShaders(uint32_t taps) const {
+    const auto find = [](const std::string& name) { return passes_shaders::Find("shaders/" + name); };
+    if (m_desc.precision != SATPrecision::FP32) {
+        const uint32_t words = WordsOf(m_desc.precision);
+        return {find("quad.vs"), find(fmt::format("sat_pass_exact.ps.TAPS={}.WORDS={}", taps, words)),
+                std::vector(words, Format::RGBA32UI)};
+    }
+    if (m_desc.addressing == TapAddressing::Integer)
+        return {find("quad.vs"), find(fmt::format("sat_pass_load.ps.TAPS={}", taps))};
+    return {find(fmt::format("sat_pass.vs.TAPS={}", taps)), find(fmt::format("sat_pass.ps.TAPS={}", taps))};
+}
+
+// Pass i leaves out the first taps^(i-1) texels from the origin on: the pass before the last one has put their final
+// sums into this target already. (taps^i, as the paper has it, would leave stale texels in one of the two targets.)
+// The first two passes of all write everything: until then a target holds nothing. So do those of an origin inside
+// the image: what they could leave out lies in the middle.
+void SummedAreaTable::AddAxis(int axis) {
+    const uint32_t size = axis == 0 ? m_desc.extent.widthTexels : m_desc.extent.heightTexels;
+    const uint32_t origin = static_cast<uint32_t>(OriginTexels(m_desc.origin, m_desc.extent)[axis]);
+    const uint32_t length = std::max(origin, size - origin);
+    const uint32_t passes = SummedAreaTablePassCount(length, m_desc.taps);
     uint32_t stride = 1;
     for (uint32_t i = 0; i < passes; i++, stride *= m_desc.taps) {
-        const uint32_t finished = i == 0 || m_steps.size() < 2 ? 0 : stride / m_desc.taps;
+        const bool writesAll = i == 0 || m_steps.size() < 2 || length < size;
+        const uint32_t finished = writesAll ? 0 : stride / m_desc.taps;
         Rect area{0, 0, m_desc.extent.widthTexels, m_desc.extent.heightTexels};
-        (axis.x ? area.xTexels : area.yTexels) = finished;
-        (axis.x ? area.widthTexels : area.heightTexels) -= finished;
+        if (origin == 0) (axis == 0 ? area.xTexels : area.yTexels) = finished;
+        (axis == 0 ? area.widthTexels : area.heightTexels) -= finished;
         uint32_t taps = m_desc.taps;
-        while (taps > 2 && stride * (taps / 2) >= sizeTexels)
+        while (taps > 2 && stride * (taps / 2) >= length)
             taps /= 2;
-        m_steps.push_back(
-            {fmt::format("table {}{}", axis.x ? 'x' : 'y', i), taps, static_cast<int>(stride) * axis, area});
+        glm::ivec2 strideTexels(0);
+        strideTexels[axis] = static_cast<int>(stride);
+        m_steps.push_back({fmt::format("table {}{}", axis == 0 ? 'x' : 'y', i), taps, strideTexels, area});
     }
 }
 
-const Image& SummedAreaTable::Record(CommandList& commands, const Image& source) {
-    return RecordFirst(commands, source, Passes());
+TexelWords SummedAreaTable::Front() const {
+    return m_high ? TexelWords(m_low.Front(), m_high->Front()) : TexelWords(m_low.Front());
 }
 
-const Image& SummedAreaTable::RecordFirst(CommandList& commands, const Image& source, uint32_t passes) {
-    BOXCAR_ASSERT(source.Extent() == m_desc.extent);
+TexelWords SummedAreaTable::Record(CommandList& commands, TexelWords source, const Image* bias) {
+    return RecordFirst(commands, source, Passes(), bias);
+}
+
+TexelWords SummedAreaTable::RecordFirst(CommandList& commands, TexelWords source, uint32_t passes,
+                                        const Image* bias) {
+    BOXCAR_ASSERT(source.low->Extent() == m_desc.extent);
+    BOXCAR_ASSERT(m_high.has_value() == (source.high != nullptr));
+    BOXCAR_ASSERT(!bias || m_takeOffBias);
     BOXCAR_ASSERT(passes <= Passes());
-    const Image* from = &source;
-    if (m_takeOffBias) {
-        const SATBiasConstants constants{m_desc.bias};
+    TexelWords from = source;
+    if (bias) {
         commands.Draw({.name = "take off bias",
                        .pipeline = *m_takeOffBias,
-                       .reads = {{"source", from}},
-                       .writes = {&m_targets.Back()},
-                       .constants = ConstantBytes(constants)});
-        m_targets.Swap();
-        from = &m_targets.Front();
+                       .reads = {{"source", from.low}, {"bias", bias}},
+                       .writes = {&m_low.Back()}});
+        m_low.Swap();
+        from = Front();
     }
     const float2 texelUv = 1.0f / float2(m_desc.extent.widthTexels, m_desc.extent.heightTexels);
     for (const Step& step : std::span(m_steps).first(passes)) {
-        const SATPassConstants constants{float2(step.strideTexels) * texelUv, step.strideTexels};
-        commands.Draw({.name = step.name,
-                       .pipeline = m_passes.at(step.taps),
-                       .reads = {{"source", from}},
-                       .writes = {&m_targets.Back()},
-                       .constants = ConstantBytes(constants),
-                       .area = step.area});
-        m_targets.Swap();
-        from = &m_targets.Front();
+        const SATPassConstants constants{float2(step.strideTexels) * texelUv, step.strideTexels,
+                                         OriginTexels(m_desc.origin, m_desc.extent)};
+        Pass pass{.name = step.name,
+                  .pipeline = m_passes.at(step.taps),
+                  .reads = {{"source", from.low}},
+                  .writes = {&m_low.Back()},
+                  .constants = ConstantBytes(constants),
+                  .area = step.area};
+        if (m_high) {
+            pass.reads.push_back({"sourceHigh", from.high});
+            pass.writes.push_back(&m_high->Back());
+            m_high->Swap();
+        }
+        commands.Draw(pass);
+        m_low.Swap();
+        from = Front();
     }
-    return *from;
+    return from;
 }
 
 }  // namespace boxcar

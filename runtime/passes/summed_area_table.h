@@ -4,54 +4,76 @@
 //
 //   P(n) = ceil(log n / log taps). Each pass adds `taps` texels, taps^i apart in the i-th of its axis, into the other
 //   of two targets, and leaves out the texels that hold their final sum in both. The last pass of an axis adds only
-//   as many as are left: 512 texels with 16 taps take passes of 16, 16 and 2. hlsl/boxcar/sat_build.hlsli is the
-//   arithmetic of one pass; hlsl/boxcar/sat.hlsli reads the table; box_filter.h filters with it.
+//   as many as are left: 512 texels with 16 taps take passes of 16, 16 and 2. A table of order n takes the passes of
+//   each axis n times. hlsl/boxcar/sat_build.hlsli is the arithmetic of one pass; hlsl/boxcar/sat.hlsli,
+//   sat_exact.hlsli and sat_order.hlsli read the table; sat_filter.h filters with it.
+//
+// This is the one stage that builds tables. It does so by the papers' raster passes.
 //
 // Hensley 2005, sect. 3 and 4; Scheuermann 2005 (SATPass)
 #pragma once
 
 #include <glm/ext/vector_int2.hpp>
-#include <glm/vec4.hpp>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "runtime/command_list.h"
+#include "runtime/passes/texel_words.h"
 #include "runtime/ping_pong.h"
 
 namespace boxcar {
 
 // How a pass finds its taps. Both give the same bits.
 enum class TapAddressing {
-    Interpolated,  // uvs from the vertex shader, a sampler with border 0: as the papers do
+    Interpolated,  // uvs from the vertex shader, a sampler with border 0: as the papers do. Floats from the corner
+                   // only
     Integer,       // texel addresses in the pixel shader
 };
 
+// Where the sums start.
+enum class SATOrigin {
+    Corner,  // upper left
+    Center,  // the middle: four quadrants, each summed away from it. Rounds two bits less (Hensley 2005, sect. 4.2.2)
+    LowerLeft,  // as OpenGL counts; rows still lie from the top (Hensley 2005, sect. 2)
+};
+
+// The corner of texels that the sums of `origin` start from.
+glm::ivec2 OriginTexels(SATOrigin origin, Extent2D extent);
+
 struct SummedAreaTableDesc {
-    Extent2D extent;    // texels; of the source and of the table
-    uint32_t taps = 4;  // texels added per pass: 2, 4, 8 or 16. More taps: fewer passes, more samples in each.
-    TapAddressing addressing = TapAddressing::Interpolated;
-    glm::vec4 bias{0};  // taken off every texel, in the source's units; the reader adds it back
+    Extent2D extent;  // texels; of the source and of the table
+    SATPrecision precision = SATPrecision::FP32;
+    uint32_t order = 1;  // how often sums are taken: 1, and 2 or 3 for integers
+    uint32_t taps = 4;   // texels added per pass: 2, 4, 8 or 16. More taps: fewer passes, more samples in each.
+    TapAddressing addressing = TapAddressing::Interpolated;  // where it can be had; else Integer
+    SATOrigin origin = SATOrigin::Corner;
 };
 
 // Passes along an axis of `sizeTexels`: the smallest P with taps^P >= sizeTexels, in integers.
 uint32_t SummedAreaTablePassCount(uint32_t sizeTexels, uint32_t taps);
 
-// Holds the pipelines and the two targets: 32 bytes of device memory per texel. Move-only. Not thread-safe.
+// Device memory of a table while it is built: 32 bytes a texel for FP32 and U32, 64 for U64.
+uint64_t SummedAreaTableBytes(Extent2D extent, SATPrecision precision);
+
+// Holds the pipelines and the two targets: SummedAreaTableBytes. Move-only. Not thread-safe.
 class SummedAreaTable {
 public:
-    // Throws Error: extent is 0 or over the device's limit; taps is not one of the four. The message names the value
-    // and the limit.
+    // Throws Error: extent is 0 or over the device's limit; taps is not one of the four; the order is not one of the
+    // precision's. The message names the value and the limit.
     SummedAreaTable(Device& device, const SummedAreaTableDesc& desc);
 
-    // Appends the passes and their barriers to `commands`; returns the table, RGBA32F, readable by shaders from this
-    // point of `commands` up to the next Record() on the same object. `source` is not written. A 1 x 1 source is its
-    // own table: where no pass is needed, the source itself is returned.
-    const Image& Record(CommandList& commands, const Image& source);
+    // Appends the passes and their barriers to `commands`; returns the table, readable by shaders from this point of
+    // `commands` up to the next Record() on the same object. `source` is not written. A 1 x 1 source is its own
+    // table: where no pass is needed, the source itself is returned.
+    //
+    //   source  RGBA32F for FP32; RGBA32UI codes for U32; their lower and upper words for U64 (two's complement)
+    //   bias    one texel that is taken off every texel, in the source's units; the reader adds it back. FP32 only
+    TexelWords Record(CommandList& commands, TexelWords source, const Image* bias = nullptr);
 
     // The same, but only the first `passes` of Passes(): what the steps in between look like (Hensley 2005, Fig. 3).
-    const Image& RecordFirst(CommandList& commands, const Image& source, uint32_t passes);
+    TexelWords RecordFirst(CommandList& commands, TexelWords source, uint32_t passes, const Image* bias = nullptr);
 
     uint32_t Passes() const { return static_cast<uint32_t>(m_steps.size()); }
 
@@ -68,13 +90,16 @@ private:
         Rect area;
     };
 
-    void AddAxis(uint32_t sizeTexels, glm::ivec2 axis);
+    void AddAxis(int axis);
+    PipelineDesc PassShaders(uint32_t taps) const;
+    TexelWords Front() const;
 
     SummedAreaTableDesc m_desc;
     std::vector<Step> m_steps;
     std::map<uint32_t, Pipeline> m_passes;  // by taps
     std::optional<Pipeline> m_takeOffBias;
-    PingPong m_targets;
+    PingPong m_low;
+    std::optional<PingPong> m_high;
 };
 
 }  // namespace boxcar

@@ -1,24 +1,31 @@
-// Texels up, passes run, texels down: what every command does with the device.
+// Texels to the device and back, as vectors.
 #pragma once
 
-#include <functional>
+#include <glm/ext/vector_uint4.hpp>
 #include <glm/vec4.hpp>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "runtime/command_list.h"
+#include "runtime/transfer.h"
 
 namespace boxcar {
 
-struct DeviceRun {
-    std::vector<glm::vec4> texels;
-    std::vector<PassTime> passes;
-    uint64_t deviceBytes = 0;  // held for it
-};
+// `Texel`: glm::vec4 for RGBA32F, glm::uvec4 for RGBA32UI. Rows from the top.
+template <typename Texel>
+Image Upload(Device& device, Extent2D extent, std::span<const Texel> texels, const std::string& name) {
+    constexpr Format kFormat = std::is_same_v<Texel, glm::vec4> ? Format::RGBA32F : Format::RGBA32UI;
+    Image image(device, {extent, kFormat, name});
+    WriteTexels(device, image, std::as_bytes(texels));
+    return image;
+}
 
-// `record` appends passes that read its image and returns the one to bring back, RGBA32F and of the same extent.
-using RecordPasses = std::function<const Image&(CommandList& commands, const Image& source)>;
-
-// `texels`: rows from the top. What `record` uses must outlive the call.
-DeviceRun RunOnDevice(Device& device, Extent2D extent, std::vector<glm::vec4> texels, const RecordPasses& record);
+template <typename Texel>
+std::vector<Texel> Download(Device& device, const Image& image) {
+    std::vector<Texel> texels(image.Extent().Texels());
+    ReadTexels(device, image, std::as_writable_bytes(std::span(texels)));
+    return texels;
+}
 
 }  // namespace boxcar

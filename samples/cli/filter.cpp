@@ -1,79 +1,306 @@
 #include "samples/cli/filter.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
 #include <memory>
 
+#include "hlsl/boxcar/sat_range.h"
+#include "samples/cli/bands.h"
 #include "samples/cli/batch.h"
+#include "samples/cli/codes.h"
 #include "samples/cli/device_run.h"
 #include "samples/cli/light.h"
-#include "samples/effects/box_blur.h"
+#include "samples/effects/blur.h"
 
 namespace boxcar {
 namespace {
 
 struct FilterOptions : BatchOptions {
+    TableOptions table;
     std::string width;
+    std::string widthMap;
+    std::string widthMin;
+    std::string widthMax;
+    std::string shapeWord = "box";
+    double gaussPercent = 5;
+    uint32_t discBoxes = 16;
     std::string edgeWord = "clip";
     int bits = 0;
 };
+
+// What the command line asks for.
+struct Kernel {
+    uint32_t order = 1;
+    uint32_t boxes = 1;
+    glm::vec2 minTexels{1};  // of the box that it is made of; the same twice without a map
+    glm::vec2 maxTexels{1};
+};
+
+SATEdge Edge(const FilterOptions& options) {
+    const std::string& word = options.edgeWord;
+    return word == "clip"     ? SATEdge::Clip
+           : word == "zero"   ? SATEdge::Zero
+           : word == "repeat" ? SATEdge::Repeat
+                              : SATEdge::Mirror;
+}
+
+Kernel ParseKernel(const FilterOptions& options) {
+    Kernel kernel;
+    float factor = 1;
+    if (options.shapeWord == "tent") kernel.order = 2;
+    if (options.shapeWord == "parabolic") kernel.order = 3;
+    if (options.shapeWord == "disc") kernel.boxes = options.discBoxes;
+    if (options.shapeWord == "gauss") {
+        try {
+            const SATGaussian gaussian = SATGaussianWithin(static_cast<float>(options.gaussPercent / 100));
+            kernel.order = gaussian.order;
+            factor = gaussian.widthOverSigma;
+        } catch (const Error& error) {
+            throw UsageError("--gauss-error {:g}: {}", options.gaussPercent, error.what());
+        }
+    }
+    if (options.widthMap.empty()) {
+        if (options.width.empty()) throw UsageError("--width is missing: W or WxH in texels, or a --width-map");
+        if (!options.widthMin.empty() || !options.widthMax.empty())
+            throw UsageError("--width-min and --width-max belong to --width-map");
+        kernel.minTexels = kernel.maxTexels = factor * ParseSize("--width", options.width);
+    } else {
+        if (!options.width.empty()) throw UsageError("--width and --width-map: give one of them");
+        if (options.widthMin.empty() || options.widthMax.empty())
+            throw UsageError("--width-map needs --width-min and --width-max, the widths for 0 and for white");
+        kernel.minTexels = factor * ParseSize("--width-min", options.widthMin);
+        kernel.maxTexels = factor * ParseSize("--width-max", options.widthMax);
+    }
+    return kernel;
+}
+
+void RequirePossible(const FilterOptions& options) {
+    const Kernel kernel = ParseKernel(options);
+    const SATOrigin origin = Origin(options.table);
+    const SATEdge edge = Edge(options);
+    const auto precision = Precision(options.table);
+    RequireFloatOptionsFit(options.table);
+    const bool integers = precision ? *precision != SATPrecision::FP32 : kernel.order > 1;
+    if (kernel.order > 1 && !integers)
+        throw UsageError("--shape {} with --precision fp32: floats hold boxes and discs; use u32 or u64",
+                         options.shapeWord);
+    if (integers && !options.table.biasWord.empty() && options.table.biasWord != "none")
+        throw UsageError(
+            "--bias {} with --shape {}: it is summed in integers, which do not round; a bias is for fp32",
+            options.table.biasWord, options.shapeWord);
+    if (integers && origin != SATOrigin::Corner)
+        throw UsageError("--origin {} with integers: they do not round; sums from elsewhere are for --precision fp32",
+                         options.table.originWord);
+    if (origin != SATOrigin::Corner && (edge == SATEdge::Repeat || edge == SATEdge::Mirror))
+        throw UsageError("--origin {} with --edge {}: sums over a repeated picture start at the corner",
+                         options.table.originWord, options.edgeWord);
+}
 
 SampleType OutputSampleType(const Job& job, const Picture& picture, int bits) {
     if (bits == 0 || job.format != FileFormat::Png) return SampleTypeFor(job.format, picture.stored);
     return bits == 16 ? SampleType::Unorm16 : SampleType::Unorm8;
 }
 
+// Of u32 and u64 the first that holds the kernel. Throws Error where none does.
+SATPrecision ExactPrecision(const Picture& picture, const std::string& name, Transfer transfer,
+                            const Kernel& kernel) {
+    if (picture.stored != SampleType::Float32) {
+        const SATCodes codes = CodesFor(picture, name, transfer, SATPrecision::U32);
+        if (SATBoxIsExact(glm::max(kernel.minTexels, kernel.maxTexels), static_cast<int>(kernel.order),
+                          SATLargestMass(SATPrecision::U32, codes)))
+            return SATPrecision::U32;
+    }
+    return SATPrecision::U64;
+}
+
+// One channel's worth of texels for the device: a map of widths, of the picture's extent.
+Picture ReadWidthMap(const std::string& path, const Picture& picture, const Device& device,
+                     const ReadOptions& options) {
+    Picture map = ReadForDevice(path, device, options);
+    if (map.widthTexels != picture.widthTexels || map.heightTexels != picture.heightTexels)
+        throw Error("{}: {} x {} texels; the map of widths must be as large as the picture, {} x {}", path,
+                    map.widthTexels, map.heightTexels, picture.widthTexels, picture.heightTexels);
+    for (const float sample : map.samples)
+        if (sample < 0 || sample > 1)
+            throw Error("{}: {:g} in the map of widths; it takes values from 0 (--width-min) to 1 (--width-max)",
+                        path, sample);
+    return map;
+}
+
+template <typename Texel>
+std::span<const Texel> RowsOf(const std::vector<Texel>& texels, uint32_t widthTexels, uint32_t first, uint32_t rows) {
+    return std::span(texels).subspan(size_t{first} * widthTexels, size_t{rows} * widthTexels);
+}
+
+// Adds what passes of the same name took.
+void AddTimes(std::vector<PassTime>& total, const std::vector<PassTime>& times) {
+    size_t at = 0;
+    for (const PassTime& time : times) {
+        const auto found = std::find_if(total.begin() + static_cast<std::ptrdiff_t>(std::min(at, total.size())),
+                                        total.end(), [&](const PassTime& t) { return t.name == time.name; });
+        if (found == total.end()) {
+            total.push_back(time);
+        } else {
+            found->milliseconds += time.milliseconds;
+            at = static_cast<size_t>(found - total.begin()) + 1;
+        }
+    }
+}
+
 Stats Filter(Device& device, const Job& job, const FilterOptions& options) {
-    const glm::vec2 sizeTexels = ParseSize("--width", options.width);
+    const Kernel kernel = ParseKernel(options);
     const Picture picture = ReadForDevice(job.input, device, options.read);
     RequireWritable(job.output, job.format, picture.channels);
     const Transfer transfer = TransferFor(picture, options.read);
     const Extent2D extent{picture.widthTexels, picture.heightTexels};
 
-    DeviceRun run{ToLight(picture, transfer), {}, 0};
-    // The box of one texel is the texel: no table, and so none of its rounding.
-    if (sizeTexels.x > 1 || sizeTexels.y > 1) {
-        const bool bounded = picture.stored != SampleType::Float32;
-        BoxBlur blur(device, {.extent = extent,
-                              .taps = Taps(options.read),
-                              .edge = options.edgeWord == "zero" ? BoxEdge::Zero : BoxEdge::Clip,
-                              .bias = bounded ? MeanTexel(run.texels) : glm::vec4(0)});
-        run = RunOnDevice(device, extent, std::move(run.texels),
-                          [&](CommandList& commands, const Image& source) -> const Image& {
-                              return blur.Record(commands, source, sizeTexels);
-                          });
+    SATPrecision precision = SATPrecision::FP32;
+    if (const auto asked = Precision(options.table))
+        precision = *asked;
+    else if (kernel.order > 1)
+        precision = ExactPrecision(picture, job.input, transfer, kernel);
+    const bool isFloat = precision == SATPrecision::FP32;
+
+    BlurDesc desc{.extent = extent,
+                  .precision = precision,
+                  .order = kernel.order,
+                  .boxes = kernel.boxes,
+                  .edge = Edge(options),
+                  .taps = Taps(options.read),
+                  .origin = Origin(options.table),
+                  .largestTexels = glm::max(kernel.minTexels, kernel.maxTexels)};
+    if (!isFloat) {
+        desc.codes = CodesFor(picture, job.input, transfer, precision);
+    } else if (options.table.biasWord.empty()) {
+        desc.bias = picture.stored != SampleType::Float32 ? BlurBias::Mean : BlurBias::None;
+    } else {
+        desc.bias = options.table.biasWord == "none"   ? BlurBias::None
+                    : options.table.biasWord == "half" ? BlurBias::Half
+                                                       : BlurBias::Mean;
     }
 
+    Stats stats{.input = job.input, .output = job.output, .extent = extent};
+    std::vector<glm::vec4> texels;
+    if (isFloat) texels = ToLight(picture, transfer);
+    // The box of one texel is the texel: no table, and so none of its rounding.
+    const bool isIdentity = isFloat && options.widthMap.empty() && kernel.maxTexels.x <= 1 && kernel.maxTexels.y <= 1;
+    if (!isIdentity) {
+        std::vector<glm::vec4> map;
+        if (!options.widthMap.empty())
+            map = ToLight(ReadWidthMap(options.widthMap, picture, device, options.read), Transfer::Raw);
+        const bool isRepeated = desc.edge == SATEdge::Repeat || desc.edge == SATEdge::Mirror;
+        const double reach = 0.5 * kernel.order * std::max(1.0f, desc.largestTexels.y);
+        const std::vector<Band> bands = isRepeated
+                                            ? std::vector<Band>{{0, extent.heightTexels, 0, extent.heightTexels}}
+                                            : PlanBands(extent, static_cast<uint32_t>(std::ceil(reach)) + 1);
+        std::vector<glm::vec4> filtered;
+        filtered.reserve(extent.Texels());
+        for (const Band& band : bands) {
+            desc.extent = {extent.widthTexels, band.rowsRead};
+            Blur blur(device, desc);
+            std::vector<Image> words;
+            if (isFloat) {
+                words.push_back(Upload(device, desc.extent,
+                                       RowsOf(texels, extent.widthTexels, band.firstRead, band.rowsRead), "source"));
+            } else {
+                const CodeWords codes = EncodeRows(picture, transfer, precision, band.firstRead, band.rowsRead);
+                words.push_back(Upload(device, desc.extent, std::span(codes.low), "source"));
+                if (precision == SATPrecision::U64)
+                    words.push_back(Upload(device, desc.extent, std::span(codes.high), "source, upper words"));
+            }
+            std::optional<Image> mapImage;
+            if (!map.empty())
+                mapImage = Upload(device, desc.extent, RowsOf(map, extent.widthTexels, band.firstRead, band.rowsRead),
+                                  "widths");
+            CommandList commands(device, CommandList::Timing::On);
+            const Image& result = blur.Record(
+                commands, words.size() > 1 ? TexelWords(words[0], words[1]) : TexelWords(words[0]),
+                mapImage ? SATWidths(*mapImage, kernel.minTexels, kernel.maxTexels) : SATWidths(kernel.maxTexels));
+            commands.SubmitAndWait();
+            const auto rows = Download<glm::vec4>(device, result);
+            const auto own = RowsOf(rows, extent.widthTexels, band.firstRow - band.firstRead, band.rows);
+            filtered.insert(filtered.end(), own.begin(), own.end());
+            AddTimes(stats.passes, commands.PassTimes());
+            stats.deviceBytes = std::max(stats.deviceBytes, device.MemoryBytes());
+            stats.tableBytes = std::max(stats.tableBytes, blur.TableBytes());
+        }
+        texels = std::move(filtered);
+        stats.precision = PrecisionWord(precision);
+    }
+
+    const auto isMarked = [](const glm::vec4& texel) { return std::isnan(texel.x); };
+    if (const auto marked = std::count_if(texels.begin(), texels.end(), isMarked); marked > 0)
+        fmt::print(
+            stderr,
+            "boxcar: {}: {} texels need wider sums than {} holds (widths over {}) and are marked, NaN in float "
+            "files and magenta in others\n",
+            job.input, marked, PrecisionWord(precision), SATLargestWidthTexels(precision, desc.codes, kernel.order));
     const SampleType sampleType = OutputSampleType(job, picture, options.bits);
-    WritePicture(FromLight(run.texels, picture, transfer, sampleType), job.output, job.format, sampleType);
-    return {job.input, job.output, extent, std::move(run.passes), run.deviceBytes};
+    WritePicture(FromLight(texels, picture, transfer, sampleType), job.output, job.format, sampleType);
+    return stats;
 }
 
 }  // namespace
 
 void AddFilterCommand(CLI::App& app) {
     const auto options = std::make_shared<FilterOptions>();
-    CLI::App& command = *app.add_subcommand("filter", "Blur pictures: the mean over a box round every texel");
+    CLI::App& command = *app.add_subcommand("filter", "Blur pictures: the mean under a kernel round every texel");
     command.footer(
-        "The box is [c - W/2, c + W/2) about each texel's centre; its edges may cut texels. Float outputs hold the\n"
-        "filtered values (under srgb: linear, colours times alpha); 8 and 16-bit outputs are encoded under srgb.\n\n"
+        "Shapes, by the width W of the box that they are made of: box; tent, two boxes in a row (2 W wide); "
+        "parabolic,\n"
+        "three (3 W wide); gauss, of standard deviation W, as the box, tent or parabolic kernel that is within\n"
+        "--gauss-error of it; disc, of diameter W. Boxes are [c - W/2, c + W/2) about each texel's centre; edges may "
+        "cut\n"
+        "texels. Tents of whole W, and parabolic kernels of odd W, are the box of W texels taken two and three "
+        "times,\n"
+        "exactly; others are the continuous kernel over the picture. Float outputs hold the filtered values (under\n"
+        "srgb: linear, colours times alpha); 8 and 16-bit outputs are encoded under srgb.\n\n"
         "Examples:\n"
         "  boxcar filter photo.jpg -o blurred.png --width 9\n"
-        "  boxcar filter *.png -o blurred/ --width 33x1 --edge zero --stats\n"
+        "  boxcar filter photo.jpg -o soft.png --shape gauss --width 6.5 --edge mirror\n"
+        "  boxcar filter photo.jpg -o tilt.png --width-map depth.png --width-min 1 --width-max 40 --shape disc\n"
+        "  boxcar filter *.png -o blurred/ --width 33x1 --precision u32 --transfer raw --stats\n"
         "  boxcar filter - -o - --format exr --width 4.5 < sky.exr > soft.exr");
     AddBatchOptions(command, *options);
-    command.add_option("--width", options->width, "Width and height of the box in texels, real; below 1 acts as 1")
-        ->required()
+    command.add_option("--width", options->width, "Width and height in texels, real; below 1 acts as 1")
         ->type_name("W[xH]");
     command
+        .add_option("--width-map", options->widthMap,
+                    "A width for each texel: a picture as large as IN; its red, raw, is 0 for --width-min, 1 for "
+                    "--width-max")
+        ->type_name("M");
+    command.add_option("--width-min", options->widthMin, "Width where the map is 0")->type_name("A[xB]");
+    command.add_option("--width-max", options->widthMax, "Width where the map is 1 (white)")->type_name("A[xB]");
+    command.add_option("--shape", options->shapeWord, "box (default), tent, parabolic, gauss or disc")
+        ->check(CLI::IsMember({"box", "tent", "parabolic", "gauss", "disc"}))
+        ->type_name("S");
+    command
+        .add_option(
+            "--gauss-error", options->gaussPercent,
+            "gauss: distance to a Gaussian that is accepted, relative L2 in percent: 4.2 and more is parabolic "
+            "(default 5), 9.8 tent, 53 box")
+        ->type_name("P");
+    command
+        .add_option("--disc-boxes", options->discBoxes, "disc: boxes of equal height that it is made of (default 16)")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+    command
         .add_option("--edge", options->edgeWord,
-                    "clip: divide by the area inside the picture (default); zero: the picture is 0 outside")
-        ->check(CLI::IsMember({"clip", "zero"}))
+                    "clip: divide by what of the kernel lies inside the picture (default); zero: the picture is 0 "
+                    "outside; repeat; mirror (the edge texel comes twice)")
+        ->check(CLI::IsMember({"clip", "zero", "repeat", "mirror"}))
         ->type_name("E");
+    AddTableOptions(command, options->table, "mean; none for float files",
+                    "fp32 for boxes and discs; else u32 where it is wide enough, or u64");
     command
         .add_option("--bits", options->bits, "Bits of a PNG's samples: 8 or 16 (default: as the input, float as 8)")
         ->check(CLI::IsMember({8, 16}))
         ->type_name("B");
     command.callback([options] {
-        ParseSize("--width", options->width);
+        RequirePossible(*options);
         RunBatch("filter", *options, PlanJobs(options->files),
                  [&](Device& device, const Job& job) { return Filter(device, job, *options); });
     });

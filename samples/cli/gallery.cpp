@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
@@ -12,7 +13,7 @@
 #include "samples/cli/device_run.h"
 #include "samples/cli/gallery_page.h"
 #include "samples/cli/light.h"
-#include "samples/effects/box_blur.h"
+#include "samples/effects/blur.h"
 #include "samples/effects/sat_verbatim_blur.h"
 #include "samples/files/bytes.h"
 #include "samples/files/color.h"
@@ -53,15 +54,20 @@ public:
 private:
     using Texels = std::vector<glm::vec4>;
 
-    Texels Run(const Photograph& source, const RecordPasses& record) {
-        return RunOnDevice(m_device, source.Extent(), source.texels, record).texels;
+    // `record` appends passes that read its image and returns the one to bring back.
+    Texels Run(const Photograph& photograph,
+               const std::function<const Image&(CommandList& commands, const Image& source)>& record) {
+        const Image source = Upload(m_device, photograph.Extent(), std::span(photograph.texels), "source");
+        CommandList commands(m_device);
+        const Image& result = record(commands, source);
+        commands.SubmitAndWait();
+        return Download<glm::vec4>(m_device, result);
     }
 
-    Texels Blur(const Photograph& source, glm::vec2 sizeTexels, BoxEdge edge = BoxEdge::Clip) {
+    Texels Box(const Photograph& source, glm::vec2 sizeTexels, SATEdge edge = SATEdge::Clip) {
         const bool bounded = source.picture.stored != SampleType::Float32;
-        BoxBlur blur(
-            m_device,
-            {.extent = source.Extent(), .edge = edge, .bias = bounded ? MeanTexel(source.texels) : glm::vec4(0)});
+        Blur blur(m_device,
+                  {.extent = source.Extent(), .edge = edge, .bias = bounded ? BlurBias::Mean : BlurBias::None});
         return Run(source, [&](CommandList& commands, const Image& image) -> const Image& {
             return blur.Record(commands, image, sizeTexels);
         });
@@ -107,10 +113,10 @@ void Gallery::PhotographAtSeveralWidths() {
         {}};
     section.figures.push_back(Save("fruits_1.png", m_fruits.texels, m_fruits, "The photograph (width 1)."));
     for (const float width : {5.0f, 17.0f, 65.0f})
-        section.figures.push_back(Save(fmt::format("fruits_{:g}.png", width), Blur(m_fruits, {width, width}),
-                                       m_fruits, fmt::format("{0:g} x {0:g} texels.", width)));
+        section.figures.push_back(Save(fmt::format("fruits_{:g}.png", width), Box(m_fruits, {width, width}), m_fruits,
+                                       fmt::format("{0:g} x {0:g} texels.", width)));
     section.figures.push_back(Save("building_1.png", m_building.texels, m_building, "Another photograph."));
-    section.figures.push_back(Save("building_49x1.png", Blur(m_building, {49, 1}), m_building,
+    section.figures.push_back(Save("building_49x1.png", Box(m_building, {49, 1}), m_building,
                                    "49 x 1 texels: width and height are free of one another."));
     m_sections.push_back(std::move(section));
 }
@@ -135,7 +141,7 @@ void Gallery::StepsOfTheBuild() {
     SummedAreaTable smallTable(m_device, {.extent = small.Extent(), .taps = 2});
     for (uint32_t pass = 1; pass <= smallTable.Passes(); pass++) {
         const Texels texels = Run(small, [&](CommandList& commands, const Image& image) -> const Image& {
-            return smallTable.RecordFirst(commands, image, pass);
+            return *smallTable.RecordFirst(commands, image, pass).low;
         });
         NumberGrid grid{fmt::format("after pass {} of {}, 2 taps", pass, smallTable.Passes()), {}};
         for (size_t y = 0; y < 4; y++) {
@@ -149,7 +155,7 @@ void Gallery::StepsOfTheBuild() {
     SummedAreaTable table(m_device, {.extent = m_fruits.Extent(), .taps = 8});
     for (uint32_t pass = 1; pass <= table.Passes(); pass++) {
         const Texels texels = Run(m_fruits, [&](CommandList& commands, const Image& image) -> const Image& {
-            return table.RecordFirst(commands, image, pass);
+            return *table.RecordFirst(commands, image, pass).low;
         });
         section.figures.push_back(Save(
             fmt::format("build_pass_{}.png", pass), Scaled(texels, 1.0f / Largest(texels)), m_fruits,
@@ -168,19 +174,19 @@ void Gallery::TableAsAPicture() {
         "its mean, the picture's table rises and falls instead, and stays small: that is what keeps float32 precise.",
         {},
         {}};
-    const auto tableOf = [&](glm::vec4 bias) {
-        SummedAreaTable table(m_device, {.extent = m_fruits.Extent(), .bias = bias});
-        return Run(m_fruits, [&](CommandList& commands, const Image& image) -> const Image& {
-            return table.Record(commands, image);
-        });
-    };
-    const Texels plain = tableOf(glm::vec4(0));
+    SummedAreaTable table(m_device, {.extent = m_fruits.Extent()});
+    Mean mean(m_device, m_fruits.Extent());
+    const Texels plain = Run(m_fruits, [&](CommandList& commands, const Image& image) -> const Image& {
+        return *table.Record(commands, image).low;
+    });
     section.figures.push_back(
         Save("table.png", Scaled(plain, 1.0f / Largest(plain)), m_fruits,
              fmt::format("The table; white is {:.0f} for red, {:.0f} for green, {:.0f} for blue.", Largest(plain).r,
                          Largest(plain).g, Largest(plain).b)));
 
-    Texels centred = tableOf(MeanTexel(m_fruits.texels));
+    Texels centred = Run(m_fruits, [&](CommandList& commands, const Image& image) -> const Image& {
+        return *table.Record(commands, image, &mean.Record(commands, image)).low;
+    });
     float largest = 0;
     for (const glm::vec4& texel : centred)
         for (int c = 0; c < 3; c++)
@@ -211,10 +217,10 @@ void Gallery::VerbatimAndCorrected() {
     const Texels printed =
         Scaled(Run(m_fruits,
                    [&](CommandList& commands, const Image& image) -> const Image& {
-                       return verbatim.Record(commands, table.Record(commands, image), {kWidth, kWidth});
+                       return verbatim.Record(commands, *table.Record(commands, image).low, {kWidth, kWidth});
                    }),
                glm::vec4(1 / texelCount));
-    const Texels corrected = Blur(m_fruits, {kWidth, kWidth});
+    const Texels corrected = Box(m_fruits, {kWidth, kWidth});
     Texels difference = corrected;
     for (size_t i = 0; i < difference.size(); i++)
         difference[i] = glm::min(kGain * glm::abs(corrected[i] - printed[i]), glm::vec4(1));
@@ -236,9 +242,9 @@ void Gallery::EdgesOfThePicture() {
                            {},
                            {}};
     section.figures.push_back(
-        Save("edge_clip.png", Blur(m_building, {129, 129}), m_building, "129 x 129 texels, clip."));
+        Save("edge_clip.png", Box(m_building, {129, 129}), m_building, "129 x 129 texels, clip."));
     section.figures.push_back(
-        Save("edge_zero.png", Blur(m_building, {129, 129}, BoxEdge::Zero), m_building, "129 x 129 texels, zero."));
+        Save("edge_zero.png", Box(m_building, {129, 129}, SATEdge::Zero), m_building, "129 x 129 texels, zero."));
     m_sections.push_back(std::move(section));
 }
 
@@ -252,9 +258,9 @@ void Gallery::LinearLightAndCodes() {
         {}};
     const Photograph codes("fruits.jpg", boxcar_fruits_jpg, boxcar_fruits_jpg_end, Transfer::Raw);
     section.figures.push_back(
-        Save("linear_light.png", Blur(m_fruits, {33, 33}), m_fruits, "33 x 33 texels in linear light."));
+        Save("linear_light.png", Box(m_fruits, {33, 33}), m_fruits, "33 x 33 texels in linear light."));
     section.figures.push_back(
-        Save("raw_codes.png", Blur(codes, {33, 33}), codes, "33 x 33 texels over the codes: darker.", Transfer::Raw));
+        Save("raw_codes.png", Box(codes, {33, 33}), codes, "33 x 33 texels over the codes: darker.", Transfer::Raw));
     m_sections.push_back(std::move(section));
 }
 
@@ -273,7 +279,7 @@ void Gallery::HdrEnvironment() {
     };
     section.figures.push_back(Save("city_1.png", shown(city.texels), city, "The environment (width 1)."));
     for (const float width : {9.0f, 33.0f})
-        section.figures.push_back(Save(fmt::format("city_{:g}.png", width), shown(Blur(city, {width, width})), city,
+        section.figures.push_back(Save(fmt::format("city_{:g}.png", width), shown(Box(city, {width, width})), city,
                                        fmt::format("{0:g} x {0:g} texels.", width)));
     m_sections.push_back(std::move(section));
 }

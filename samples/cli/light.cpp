@@ -1,5 +1,7 @@
 #include "samples/cli/light.h"
 
+#include <cmath>
+
 #include "samples/files/color.h"
 
 namespace boxcar {
@@ -23,9 +25,13 @@ Picture FromLight(const std::vector<glm::vec4>& texels, const Picture& like, Tra
     Picture picture{like.widthTexels, like.heightTexels, like.channels, sampleType, {}};
     picture.samples.reserve(texels.size() * like.channels);
     const int channels = static_cast<int>(picture.channels);
-    for (const glm::vec4& texel : texels)
+    // In an integer file, magenta marks what is not a number: (1, 0, 1, 1).
+    const bool marksInColour = sampleType != SampleType::Float32;
+    for (const glm::vec4& texel : texels) {
+        const bool isMarked = marksInColour && std::isnan(texel.x);
         for (int c = 0; c < channels; c++)
-            picture.samples.push_back(texel[c]);
+            picture.samples.push_back(isMarked ? (c == 1 && channels > 2 ? 0.0f : 1.0f) : texel[c]);
+    }
     if (transfer == Transfer::Srgb && sampleType != SampleType::Float32) {
         Unpremultiply(picture);
         EncodeSrgb(picture);

@@ -80,6 +80,56 @@ uint32_t Taps(const ReadOptions& options) {
     return static_cast<uint32_t>(std::stoul(options.taps));
 }
 
+void AddTableOptions(CLI::App& command, TableOptions& options, const std::string& biasDefault,
+                     const std::string& precisionDefault) {
+    command
+        .add_option("--precision", options.precisionWord,
+                    "fp32: floats, which round; u32, u64: exact integers modulo 2^32, 2^64 (default: " +
+                        precisionDefault + ")")
+        ->check(CLI::IsMember({"fp32", "u32", "u64"}))
+        ->type_name("P");
+    command
+        .add_option("--bias", options.biasWord,
+                    "Taken off before summing, which rounds less (fp32): none, half (0.5) or mean (default: " +
+                        biasDefault + ")")
+        ->check(CLI::IsMember({"none", "half", "mean"}))
+        ->type_name("B");
+    command
+        .add_option(
+            "--origin", options.originWord,
+            "Where sums start (fp32): corner, the upper left (default); center, which rounds less; lower-left")
+        ->check(CLI::IsMember({"corner", "center", "lower-left"}))
+        ->type_name("O");
+}
+
+std::optional<SATPrecision> Precision(const TableOptions& options) {
+    if (options.precisionWord.empty()) return {};
+    return options.precisionWord == "fp32"  ? SATPrecision::FP32
+           : options.precisionWord == "u32" ? SATPrecision::U32
+                                            : SATPrecision::U64;
+}
+
+SATOrigin Origin(const TableOptions& options) {
+    return options.originWord == "corner"   ? SATOrigin::Corner
+           : options.originWord == "center" ? SATOrigin::Center
+                                            : SATOrigin::LowerLeft;
+}
+
+void RequireFloatOptionsFit(const TableOptions& options) {
+    if (options.precisionWord.empty() || options.precisionWord == "fp32") return;
+    if (!options.biasWord.empty() && options.biasWord != "none")
+        throw UsageError("--bias {} with --precision {}: integers do not round; a bias is for fp32", options.biasWord,
+                         options.precisionWord);
+    if (options.originWord == "center")
+        throw UsageError("--origin center with --precision {}: integers do not round; it is for fp32",
+                         options.precisionWord);
+}
+
+const char* PrecisionWord(SATPrecision precision) {
+    constexpr const char* kWords[] = {"fp32", "u32", "u64"};
+    return kWords[static_cast<size_t>(precision)];
+}
+
 glm::vec2 ParseSize(const std::string& flag, const std::string& text) {
     const size_t cross = text.find('x');
     const std::string_view view = text;

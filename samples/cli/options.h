@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "runtime/device.h"
+#include "runtime/passes/summed_area_table.h"
 #include "samples/files/picture.h"
 #include "tools/layout/error.h"
 
@@ -52,6 +52,23 @@ Picture ReadForDevice(const std::string& path, const Device& device, const ReadO
 Transfer TransferFor(const Picture& picture, const ReadOptions& options);
 
 uint32_t Taps(const ReadOptions& options);
+
+// Flags of the commands that choose a table.
+struct TableOptions {
+    std::string precisionWord;  // empty: the command chooses
+    std::string biasWord;       // empty: the command chooses
+    std::string originWord = "corner";
+};
+void AddTableOptions(CLI::App& command, TableOptions& options, const std::string& biasDefault,
+                     const std::string& precisionDefault);
+
+std::optional<SATPrecision> Precision(const TableOptions& options);
+SATOrigin Origin(const TableOptions& options);
+
+// Throws UsageError: a bias, or sums from elsewhere than the corner, for integers.
+void RequireFloatOptionsFit(const TableOptions& options);
+
+const char* PrecisionWord(SATPrecision precision);
 
 // "W" or "WxH": real numbers above 0 and at most 32768 (twice the largest side). Throws UsageError naming the flag.
 glm::vec2 ParseSize(const std::string& flag, const std::string& text);

@@ -1,7 +1,13 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <glm/common.hpp>
 #include <memory>
 
-#include "runtime/passes/summed_area_table.h"
+#include "runtime/passes/mean.h"
+#include "runtime/passes/sat_filter.h"
 #include "samples/cli/batch.h"
+#include "samples/cli/codes.h"
 #include "samples/cli/device_run.h"
 #include "samples/cli/filter.h"
 #include "samples/cli/light.h"
@@ -9,41 +15,171 @@
 namespace boxcar {
 namespace {
 
-Stats WriteTable(Device& device, const Job& job, const ReadOptions& options) {
-    const Picture picture = ReadForDevice(job.input, device, options);
-    RequireWritable(job.output, job.format, picture.channels);
-    const Transfer transfer = TransferFor(picture, options);
+struct SatOptions : BatchOptions {
+    TableOptions table;
+    uint32_t order = 1;
+    bool explain = false;
+};
+
+// The bits of one sample as it is summed.
+int SampleBits(const Picture& picture, Transfer transfer) {
+    if (picture.stored == SampleType::Float32) return 24;
+    return picture.stored == SampleType::Unorm8 && transfer == Transfer::Raw ? 8 : 16;
+}
+
+const char* WhatIsSummed(const Picture& picture, Transfer transfer, SATPrecision precision) {
+    const bool isFloat = precision == SATPrecision::FP32;
+    if (picture.stored == SampleType::Float32) return isFloat ? "the file's floats" : "the file's floats times 2^24";
+    if (transfer == Transfer::Srgb)
+        return isFloat ? "linear light, colours times alpha" : "round(65535 linear light), colours times alpha";
+    return isFloat ? "the file's codes over the largest" : "the file's codes";
+}
+
+// Hensley 2005, sect. 2.1 and 2.2 (the bits of a table, and of one of order n)
+void Explain(const Job& job, const Picture& picture, Transfer transfer, SATPrecision precision,
+             const SatOptions& options, glm::vec4 bias) {
+    const double sides = std::log2(picture.widthTexels) + std::log2(picture.heightTexels);
+    const int bits = SampleBits(picture, transfer);
+    fmt::print(stderr, "{} -> {}: table of order {}, {}\n", job.input, job.output, options.order,
+               PrecisionWord(precision));
+    fmt::print(stderr, "  sums     of {}, from the {}\n", WhatIsSummed(picture, transfer, precision),
+               options.table.originWord == "corner" ? "upper left corner" : options.table.originWord);
+    if (precision == SATPrecision::FP32)
+        fmt::print(stderr, "  bias     {:.9g} {:.9g} {:.9g} {:.9g} taken off every texel\n", bias.r, bias.g, bias.b,
+                   bias.a);
+    fmt::print(stderr, "  papers   P_s = log2 w + log2 h + P_i = {:.2f} + {} = {:.2f} bits\n", sides, bits,
+               sides + bits);
+    fmt::print(stderr, "           of order n: n (log2 w + log2 h) + P_i = {:.2f} (n = 2), {:.2f} (n = 3)\n",
+               2 * sides + bits, 3 * sides + bits);
+    fmt::print(stderr, "  modular  log2(kernel's mass) + P_i, whatever w and h are:\n");
+    for (const SATPrecision words : {SATPrecision::U32, SATPrecision::U64}) {
+        const SATCodes codes{1, std::ldexp(1.0, bits) - 1, false};
+        fmt::print(stderr, "           {} holds boxes to {} texels wide, tents of {}, parabolic kernels of {}\n",
+                   PrecisionWord(words), SATLargestWidthTexels(words, codes, 1),
+                   SATLargestWidthTexels(words, codes, 2), SATLargestWidthTexels(words, codes, 3));
+    }
+}
+
+std::vector<std::string> ChannelNames(uint32_t channels) {
+    const std::string_view names = channels <= 2 ? "YA" : "RGBA";
+    std::vector<std::string> list;
+    for (uint32_t i = 0; i < channels; i++)
+        list.emplace_back(1, names[i]);
+    return list;
+}
+
+void AppendChannels(std::vector<UintChannel>& channels, const std::vector<glm::uvec4>& texels, uint32_t count,
+                    const std::string& suffix) {
+    const std::vector<std::string> names = ChannelNames(count);
+    for (uint32_t c = 0; c < count; c++) {
+        UintChannel channel{names[c] + suffix, {}};
+        channel.samples.reserve(texels.size());
+        for (const glm::uvec4& texel : texels)
+            channel.samples.push_back(texel[static_cast<int>(c)]);
+        channels.push_back(std::move(channel));
+    }
+}
+
+Stats WriteTable(Device& device, const Job& job, const SatOptions& options) {
+    const Picture picture = ReadForDevice(job.input, device, options.read);
+    const SATPrecision precision = Precision(options.table).value_or(SATPrecision::FP32);
+    const bool isFloat = precision == SATPrecision::FP32;
+    if (isFloat) RequireWritable(job.output, job.format, picture.channels);
+    const Transfer transfer = TransferFor(picture, options.read);
     const Extent2D extent{picture.widthTexels, picture.heightTexels};
 
-    SummedAreaTable table(device, {.extent = extent, .taps = Taps(options)});
-    DeviceRun run = RunOnDevice(
-        device, extent, ToLight(picture, transfer),
-        [&](CommandList& commands, const Image& source) -> const Image& { return table.Record(commands, source); });
+    SummedAreaTable table(device, {.extent = extent,
+                                   .precision = precision,
+                                   .order = options.order,
+                                   .taps = Taps(options.read),
+                                   .origin = Origin(options.table)});
+    CommandList commands(device, CommandList::Timing::On);
+    Stats stats{.input = job.input,
+                .output = job.output,
+                .extent = extent,
+                .precision = PrecisionWord(precision),
+                .tableBytes = SummedAreaTableBytes(extent, precision)};
+    const auto finish = [&] {
+        commands.SubmitAndWait();
+        stats.passes = commands.PassTimes();
+        stats.deviceBytes = device.MemoryBytes();
+    };
 
-    WritePicture(FromLight(run.texels, picture, transfer, SampleType::Float32), job.output, job.format,
-                 SampleType::Float32);
-    return {job.input, job.output, extent, std::move(run.passes), run.deviceBytes};
+    if (!isFloat) {
+        CodesFor(picture, job.input, transfer, precision);
+        const CodeWords codes = EncodeRows(picture, transfer, precision, 0, extent.heightTexels);
+        const bool isWide = precision == SATPrecision::U64;
+        std::vector<Image> words;
+        words.push_back(Upload(device, extent, std::span(codes.low), "source"));
+        if (isWide) words.push_back(Upload(device, extent, std::span(codes.high), "source, upper words"));
+        const TexelWords sums =
+            table.Record(commands, isWide ? TexelWords(words[0], words[1]) : TexelWords(words[0]));
+        finish();
+        std::vector<UintChannel> channels;
+        AppendChannels(channels, Download<glm::uvec4>(device, *sums.low), picture.channels, isWide ? ".lo" : "");
+        if (isWide) AppendChannels(channels, Download<glm::uvec4>(device, *sums.high), picture.channels, ".hi");
+        WriteUintExr(channels, extent.widthTexels, extent.heightTexels, job.output);
+        if (options.explain) Explain(job, picture, transfer, precision, options, glm::vec4(0));
+        return stats;
+    }
+
+    const std::vector<glm::vec4> texels = ToLight(picture, transfer);
+    const Image source = Upload(device, extent, std::span(texels), "source");
+    std::optional<Mean> mean;
+    std::optional<Image> half;
+    const Image* bias = nullptr;
+    if (options.table.biasWord == "mean") bias = &mean.emplace(device, extent).Record(commands, source);
+    if (options.table.biasWord == "half") {
+        const glm::vec4 value(0.5f);
+        bias = &half.emplace(Upload(device, {1, 1}, std::span(&value, 1), "half"));
+    }
+    const Image& sums = *table.Record(commands, source, bias).low;
+    finish();
+    WritePicture(FromLight(Download<glm::vec4>(device, sums), picture, transfer, SampleType::Float32), job.output,
+                 job.format, SampleType::Float32);
+    if (options.explain)
+        Explain(job, picture, transfer, precision, options,
+                bias ? Download<glm::vec4>(device, *bias)[0] : glm::vec4(0));
+    return stats;
 }
 
 }  // namespace
 
 void AddSatCommand(CLI::App& app) {
-    const auto options = std::make_shared<BatchOptions>();
-    CLI::App& command = *app.add_subcommand("sat", "Write the summed-area table of a picture, as floats");
+    const auto options = std::make_shared<SatOptions>();
+    CLI::App& command = *app.add_subcommand("sat", "Write the summed-area table of a picture");
     command.footer(
-        "Entry (x, y) is the sum of all texels left of and above it, itself included, in float32. Under srgb the "
-        "sums\n"
-        "are of linear light, colours times alpha.\n\n"
-        "Example:\n"
-        "  boxcar sat photo.png -o table.exr --transfer raw");
+        "Entry (x, y) is the sum of all texels between it and the origin, itself included; for a corner, of all "
+        "left\n"
+        "of and above it. Rows are in the picture's order for every origin. fp32 sums are what was summed less the\n"
+        "bias, as floats (.exr or .pfm); under srgb that is linear light, colours times alpha. u32 sums are of "
+        "whole\n"
+        "codes modulo 2^32, as an EXR of UINT channels R G B A or Y A; u64 ones modulo 2^64, as channels R.lo R.hi "
+        "..\n\n"
+        "Examples:\n"
+        "  boxcar sat photo.png -o table.exr --transfer raw\n"
+        "  boxcar sat photo.png -o table.exr --precision u64 --order 2 --explain");
     AddBatchOptions(command, *options);
+    AddTableOptions(command, options->table, "none", "fp32");
+    command.add_option("--order", options->order, "How often sums are taken: 1 (default); 2 or 3, of integers")
+        ->check(CLI::IsMember({1, 2, 3}))
+        ->type_name("N");
+    command.add_flag("--explain", options->explain,
+                     "Print to stderr what was summed, the bias, and how many bits such a table needs");
     command.callback([options] {
+        RequireFloatOptionsFit(options->table);
+        const bool isFloat = Precision(options->table).value_or(SATPrecision::FP32) == SATPrecision::FP32;
+        if (isFloat && options->order > 1)
+            throw UsageError("--order {} with --precision fp32: floats hold order 1; use u32 or u64", options->order);
         const std::vector<Job> jobs = PlanJobs(options->files);
-        for (const Job& job : jobs)
+        for (const Job& job : jobs) {
+            if (!isFloat && job.format != FileFormat::Exr)
+                throw UsageError("-o {}: a table of integers is written as .exr", job.output);
             if (job.format != FileFormat::Exr && job.format != FileFormat::Pfm)
                 throw UsageError("-o {}: a table needs a float format, .exr or .pfm", job.output);
+        }
         RunBatch("sat", *options, jobs,
-                 [&](Device& device, const Job& job) { return WriteTable(device, job, options->read); });
+                 [&](Device& device, const Job& job) { return WriteTable(device, job, *options); });
     });
 }
 

@@ -19,6 +19,8 @@ nlohmann::ordered_json ToJson(const Stats& stats) {
                                    {"output", stats.output},
                                    {"width", stats.extent.widthTexels},
                                    {"height", stats.extent.heightTexels},
+                                   {"precision", stats.precision},
+                                   {"table_bytes", stats.tableBytes},
                                    {"device_bytes", stats.deviceBytes},
                                    {"device_ms", TotalMilliseconds(stats)}};
     json["passes"] = nlohmann::ordered_json::array();
@@ -32,8 +34,10 @@ void PrintStats(const Stats& stats, const DeviceInfo& device) {
                stats.extent.heightTexels, device.name, device.driver);
     for (const PassTime& pass : stats.passes)
         fmt::print(stderr, "  {:8} {:9.3f} ms\n", pass.name, pass.milliseconds);
-    fmt::print(stderr, "  {} passes {:.3f} ms; device memory {:.1f} MiB\n", stats.passes.size(),
-               TotalMilliseconds(stats), static_cast<double>(stats.deviceBytes) / (1 << 20));
+    fmt::print(stderr, "  {} passes {:.3f} ms; device memory {:.1f} MiB, {:.1f} MiB of it the {}table's\n",
+               stats.passes.size(), TotalMilliseconds(stats), static_cast<double>(stats.deviceBytes) / (1 << 20),
+               static_cast<double>(stats.tableBytes) / (1 << 20),
+               stats.precision.empty() ? "" : stats.precision + " ");
 }
 
 }  // namespace boxcar

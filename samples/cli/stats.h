@@ -15,11 +15,14 @@ struct Stats {
     std::string input;
     std::string output;
     Extent2D extent;
-    std::vector<PassTime> passes;
+    std::string precision;    // "fp32", "u32", "u64", or empty where no table was needed
+    uint64_t tableBytes = 0;  // of device memory: 32 a texel for fp32 and u32, 64 for u64
+    std::vector<PassTime> passes = {};
     uint64_t deviceBytes = 0;  // at the most, while this picture was worked on
 };
 
-// {"input", "output", "width", "height", "device_bytes", "device_ms", "passes": [{"name", "ms"}]}
+// {"input", "output", "width", "height", "precision", "table_bytes", "device_bytes", "device_ms",
+// "passes": [{"name", "ms"}]}
 nlohmann::ordered_json ToJson(const Stats& stats);
 
 // To stderr, so that a picture may go to stdout.

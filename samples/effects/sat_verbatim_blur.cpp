@@ -12,7 +12,9 @@ SatVerbatimBlur::SatVerbatimBlur(Device& device, Extent2D extent)
 
 const Image& SatVerbatimBlur::Record(CommandList& commands, const Image& table, glm::vec2 sizeTexels) {
     const auto [width, height] = m_result.Extent();
-    const SATFilterConstants constants{int2(width, height), sizeTexels, float4(0)};
+    SATFilterConstants constants{};
+    constants.extentTexels = int2(width, height);
+    constants.minTexels = sizeTexels;
     commands.Draw({.name = "verbatim blur",
                    .pipeline = m_pipeline,
                    .reads = {{"table", &table}},

@@ -164,10 +164,29 @@ Picture DecodeExr(ByteView file, const PictureLimits& limits) {
     }
 }
 
+namespace {
+
+Bytes Encode(const Imf::Header& header, const Imf::FrameBuffer& frame) {
+    MemoryWriter writer;
+    {
+        Imf::OutputFile output(writer, header);
+        output.setFrameBuffer(frame);
+        output.writePixels(header.dataWindow().max.y + 1);
+    }  // the table of offsets is written when the file is closed
+    return writer.Take();
+}
+
+Imf::Header ZipHeader(uint32_t widthTexels, uint32_t heightTexels) {
+    Imf::Header header(static_cast<int>(widthTexels), static_cast<int>(heightTexels));
+    header.compression() = Imf::ZIP_COMPRESSION;
+    return header;
+}
+
+}  // namespace
+
 Bytes EncodeExr(const Picture& picture) {
     const std::string_view names = picture.channels <= 2 ? "YA" : "RGBA";
-    Imf::Header header(static_cast<int>(picture.widthTexels), static_cast<int>(picture.heightTexels));
-    header.compression() = Imf::ZIP_COMPRESSION;
+    Imf::Header header = ZipHeader(picture.widthTexels, picture.heightTexels);
     const size_t texelBytes = picture.channels * sizeof(float);
     Imf::FrameBuffer frame;
     for (size_t i = 0; i < picture.channels; ++i) {
@@ -176,13 +195,20 @@ Bytes EncodeExr(const Picture& picture) {
         frame.insert(name, Imf::Slice::Make(Imf::FLOAT, &picture.samples[i], header.dataWindow(), texelBytes,
                                             texelBytes * picture.widthTexels));
     }
-    MemoryWriter writer;
-    {
-        Imf::OutputFile output(writer, header);
-        output.setFrameBuffer(frame);
-        output.writePixels(static_cast<int>(picture.heightTexels));
-    }  // the table of offsets is written when the file is closed
-    return writer.Take();
+    return Encode(header, frame);
+}
+
+void WriteUintExr(const std::vector<UintChannel>& channels, uint32_t widthTexels, uint32_t heightTexels,
+                  const std::string& path) {
+    Imf::Header header = ZipHeader(widthTexels, heightTexels);
+    Imf::FrameBuffer frame;
+    for (const UintChannel& channel : channels) {
+        BOXCAR_ASSERT(channel.samples.size() == size_t{widthTexels} * heightTexels);
+        header.channels().insert(channel.name, Imf::Channel(Imf::UINT));
+        frame.insert(channel.name, Imf::Slice::Make(Imf::UINT, channel.samples.data(), header.dataWindow(),
+                                                    sizeof(uint32_t), sizeof(uint32_t) * widthTexels));
+    }
+    WriteFileAtomically(path, Encode(header, frame));
 }
 
 }  // namespace boxcar

@@ -79,4 +79,14 @@ void RequireWritable(const std::string& path, FileFormat format, uint32_t channe
 //               and rounded to nearest; NaN becomes 0.
 void WritePicture(const Picture& picture, const std::string& path, FileFormat format, SampleType sampleType);
 
+// One channel of whole numbers, rows from the top.
+struct UintChannel {
+    std::string name;
+    std::vector<uint32_t> samples;
+};
+
+// Writes an EXR of UINT channels (ZIP). `path` as of WriteFileAtomically, which says when it throws Error.
+void WriteUintExr(const std::vector<UintChannel>& channels, uint32_t widthTexels, uint32_t heightTexels,
+                  const std::string& path);
+
 }  // namespace boxcar

@@ -28,14 +28,23 @@ Offsets OffsetsIn(std::string_view shader) {
     { "g." #member, offsetof(Struct, member) }
 
 TEST(PassesConstants, OffsetsInCppEqualThoseInTheShaders) {
-    const Offsets pass = {OFFSET(SATPassConstants, strideUv), OFFSET(SATPassConstants, strideTexels)};
-    const Offsets bias = {OFFSET(SATBiasConstants, bias)};
-    const Offsets filter = {OFFSET(SATFilterConstants, extentTexels), OFFSET(SATFilterConstants, sizeTexels),
-                            OFFSET(SATFilterConstants, bias)};
+    const Offsets pass = {OFFSET(SATPassConstants, strideUv), OFFSET(SATPassConstants, strideTexels),
+                          OFFSET(SATPassConstants, originTexels)};
+    const Offsets mean = {OFFSET(MeanConstants, extentTexels), OFFSET(MeanConstants, divisor)};
+    const Offsets extend = {OFFSET(SATExtendConstants, extentTexels), OFFSET(SATExtendConstants, paddingTexels),
+                            OFFSET(SATExtendConstants, isMirrored)};
+    const Offsets filter = {OFFSET(SATFilterConstants, extentTexels),  OFFSET(SATFilterConstants, originTexels),
+                            OFFSET(SATFilterConstants, paddingTexels), OFFSET(SATFilterConstants, widthMapTexels),
+                            OFFSET(SATFilterConstants, minTexels),     OFFSET(SATFilterConstants, maxTexels),
+                            OFFSET(SATFilterConstants, boxes),         OFFSET(SATFilterConstants, codeScale),
+                            OFFSET(SATFilterConstants, largestMass),   OFFSET(SATFilterConstants, isSigned)};
     EXPECT_EQ(OffsetsIn("shaders/sat_pass.vs.TAPS=16"), pass);
     EXPECT_EQ(OffsetsIn("shaders/sat_pass_load.ps.TAPS=2"), pass);
-    EXPECT_EQ(OffsetsIn("shaders/sat_bias.ps"), bias);
-    EXPECT_EQ(OffsetsIn("shaders/sat_filter.ps.EDGE_ZERO=0"), filter);
+    EXPECT_EQ(OffsetsIn("shaders/sat_pass_exact.ps.TAPS=2.WORDS=2"), pass);
+    EXPECT_EQ(OffsetsIn("shaders/mean.ps"), mean);
+    EXPECT_EQ(OffsetsIn("shaders/sat_extend.ps.WORDS=1"), extend);
+    EXPECT_EQ(OffsetsIn("shaders/sat_filter.ps.EDGE=SAT_EDGE_CLIP"), filter);
+    EXPECT_EQ(OffsetsIn("shaders/sat_filter_exact.ps.ORDER=2.WHOLE=0.WORDS=2.EDGE=SAT_EDGE_CLIP"), filter);
     EXPECT_EQ(OffsetsIn("shaders/sat_blur_verbatim.ps"), filter);
 }
 

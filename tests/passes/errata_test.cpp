@@ -19,7 +19,7 @@ std::vector<float> VerbatimBlurOfAnImpulse(float sizeTexels, float value = 1) {
     SummedAreaTable table(TestDevice(), {.extent = extent});
     SatVerbatimBlur verbatim(TestDevice(), extent);
     const Texels result = RunOnDevice(extent, source, [&](CommandList& commands, const Image& image) -> const Image& {
-        return verbatim.Record(commands, table.Record(commands, image), glm::vec2(sizeTexels));
+        return verbatim.Record(commands, *table.Record(commands, image).low, glm::vec2(sizeTexels));
     });
     std::vector<float> row;
     for (int x = 0; x < 16; x++)
@@ -61,7 +61,7 @@ TEST(SATVerbatimBlur, DoesNotClipAtTheRightRim) {
     SatVerbatimBlur verbatim(TestDevice(), extent);
     const Texels result = RunOnDevice(
         extent, Texels(256, glm::vec4(1)), [&](CommandList& commands, const Image& image) -> const Image& {
-            return verbatim.Record(commands, table.Record(commands, image), glm::vec2(4));
+            return verbatim.Record(commands, *table.Record(commands, image).low, glm::vec2(4));
         });
     EXPECT_EQ(result[16 * 8 + 8].x, 256.0f);
     EXPECT_LT(result[16 * 8 + 15].x, 0.0f);
@@ -74,7 +74,7 @@ TEST(BoxLookup, DifferencesOfEntriesLeaveOutTheirFirstTexel) {
     const Texels source = RandomCodes(extent, 21);
     SummedAreaTable sums(TestDevice(), {.extent = extent});
     const Texels table = RunOnDevice(extent, source, [&](CommandList& commands, const Image& image) -> const Image& {
-        return sums.Record(commands, image);
+        return *sums.Record(commands, image).low;
     });
     const int x = 1, y = 2, a = 3, b = 4;
     float covered = 0;
@@ -96,7 +96,7 @@ Texels BuildWithClampToEdge(Extent2D extent, const Texels& source) {
             const uint32_t side = axis.x > 0 ? extent.widthTexels : extent.heightTexels;
             for (uint32_t stride = 1; stride < side; stride *= 2) {
                 const SATPassConstants constants{
-                    axis * static_cast<float>(stride) / glm::vec2(extent.widthTexels, extent.heightTexels), {}};
+                    axis * static_cast<float>(stride) / glm::vec2(extent.widthTexels, extent.heightTexels), {}, {}};
                 commands.Draw({.name = "clamped pass",
                                .pipeline = pipeline,
                                .reads = {{"source", from}},

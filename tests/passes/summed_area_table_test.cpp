@@ -19,10 +19,12 @@ constexpr TapAddressing kAddressings[] = {TapAddressing::Interpolated, TapAddres
 constexpr double kUnit = 0x1p-24;
 
 Texels TableOf(Extent2D extent, const Texels& source, uint32_t taps = 2,
-               TapAddressing addressing = TapAddressing::Interpolated, glm::vec4 bias = glm::vec4(0)) {
-    SummedAreaTable table(TestDevice(), {.extent = extent, .taps = taps, .addressing = addressing, .bias = bias});
+               TapAddressing addressing = TapAddressing::Interpolated, glm::vec4 bias = glm::vec4(0),
+               SATOrigin origin = SATOrigin::Corner) {
+    SummedAreaTable table(TestDevice(), {.extent = extent, .taps = taps, .addressing = addressing, .origin = origin});
+    const Image biasTexel = Upload({1, 1}, Texels(1, bias));
     return RunOnDevice(extent, source, [&](CommandList& commands, const Image& image) -> const Image& {
-        return table.Record(commands, image);
+        return *table.Record(commands, image, bias == glm::vec4(0) ? nullptr : &biasTexel).low;
     });
 }
 
@@ -125,7 +127,7 @@ TEST(SummedAreaTable, FirstPassAddsTheNeighbourToTheLeft) {
     SummedAreaTable table(TestDevice(), {.extent = extent, .taps = 2});
     const Texels source = {glm::vec4(1), glm::vec4(10), glm::vec4(100), glm::vec4(1000)};
     const Texels after = RunOnDevice(extent, source, [&](CommandList& commands, const Image& image) -> const Image& {
-        return table.RecordFirst(commands, image, 1);
+        return *table.RecordFirst(commands, image, 1).low;
     });
     EXPECT_EQ(after, Texels({glm::vec4(1), glm::vec4(11), glm::vec4(110), glm::vec4(1100)}));
 }
@@ -137,7 +139,7 @@ TEST(SummedAreaTable, APassAddsAsManyTexelsAsItHasTaps) {
         SummedAreaTable table(TestDevice(), {.extent = extent, .taps = taps});
         const Texels after = RunOnDevice(extent, Texels(64, glm::vec4(1)),
                                          [&](CommandList& commands, const Image& image) -> const Image& {
-                                             return table.RecordFirst(commands, image, 1);
+                                             return *table.RecordFirst(commands, image, 1).low;
                                          });
         EXPECT_EQ(after[63], glm::vec4(static_cast<float>(taps)));
     }
@@ -162,7 +164,7 @@ TEST(SummedAreaTable, NothingOfAnEarlierPictureIsLeftInTheTable) {
         for (const uint32_t taps : kTaps) {
             SummedAreaTable table(TestDevice(), {.extent = extent, .taps = taps});
             const auto record = [&](CommandList& commands, const Image& image) -> const Image& {
-                return table.Record(commands, image);
+                return *table.Record(commands, image).low;
             };
             for (int i = 0; i < 2; i++)
                 RunOnDevice(extent, Texels(extent.Texels(), glm::vec4(1000)), record);
@@ -180,9 +182,10 @@ TEST(SummedAreaTable, LeavesItsSourceAlone) {
     const Extent2D extent{20, 10};
     const Texels source = RandomValues(extent, 5);
     const Image image = Upload(extent, source);
-    SummedAreaTable table(TestDevice(), {.extent = extent, .bias = glm::vec4(0.5f)});
+    SummedAreaTable table(TestDevice(), {.extent = extent});
+    const Image bias = Upload({1, 1}, Texels(1, glm::vec4(0.5f)));
     CommandList commands(TestDevice());
-    table.Record(commands, image);
+    table.Record(commands, image, &bias);
     commands.SubmitAndWait();
     EXPECT_TRUE(SameBits(Download(image), source));
 }

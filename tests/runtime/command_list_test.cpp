@@ -4,19 +4,20 @@
 
 #include <cstdlib>
 
-#include "hlsl/constants/sat_constants.h"
 #include "passes_shaders.h"
 #include "runtime/passes/summed_area_table.h"
 #include "runtime/ping_pong.h"
 #include "test_support_shaders.h"
+#include "tests/hlsl/test_constants.h"
 #include "tests/support/device_image.h"
 #include "tests/support/expect_error.h"
 
 namespace boxcar {
 namespace {
 
-Pipeline BiasPipeline() {
-    return {TestDevice(), {passes_shaders::Find("shaders/quad.vs"), passes_shaders::Find("shaders/sat_bias.ps")}};
+Pipeline SubtractPipeline() {
+    return {TestDevice(),
+            {passes_shaders::Find("shaders/quad.vs"), test_support_shaders::Find("shaders/subtract.ps")}};
 }
 
 TEST(CommandList, TargetsAreWrittenTopRowFirstWithPixelCentresOnHalves) {
@@ -47,10 +48,10 @@ TEST(CommandList, TargetsAreWrittenTopRowFirstWithPixelCentresOnHalves) {
 
 TEST(CommandList, AreaLimitsWhatIsDrawnAndTheRestKeepsItsValue) {
     const Extent2D extent{4, 3};
-    const Pipeline pipeline = BiasPipeline();
+    const Pipeline pipeline = SubtractPipeline();
     const Image source = Upload(extent, Texels(12, glm::vec4(10)));
     const Image target = Upload(extent, Texels(12, glm::vec4(-1)));
-    const SATBiasConstants constants{glm::vec4(4)};
+    const SubtractConstants constants{glm::vec4(4)};
     CommandList commands(TestDevice());
     commands.Draw({.name = "part",
                    .pipeline = pipeline,
@@ -76,15 +77,15 @@ TEST(CommandList, ClearSetsEveryTexelAndConvertsToTheFormat) {
 }
 
 TEST(CommandList, RefusesPassesThatDoNotFitTheirShadersAndNamesThem) {
-    const Pipeline pipeline = BiasPipeline();
+    const Pipeline pipeline = SubtractPipeline();
     const Image a(TestDevice(), {{4, 4}, Format::RGBA32F, "a"});
     const Image b(TestDevice(), {{4, 4}, Format::RGBA32F, "b"});
     const Image half(TestDevice(), {{4, 4}, Format::RGBA16F, "half"});
-    const SATBiasConstants constants{};
+    const SubtractConstants constants{};
     const auto bytes = ConstantBytes(constants);
     CommandList commands(TestDevice());
     EXPECT_ERROR(commands.Draw({.name = "p", .pipeline = pipeline, .writes = {&b}, .constants = bytes}),
-                 "pass 'p' gives nothing to read as 'source' of shaders/sat_bias.ps");
+                 "pass 'p' gives nothing to read as 'source' of shaders/subtract.ps");
     EXPECT_ERROR(
         commands.Draw(
             {.name = "p", .pipeline = pipeline, .reads = {{"source", &a}}, .writes = {&a}, .constants = bytes}),
@@ -98,16 +99,16 @@ TEST(CommandList, RefusesPassesThatDoNotFitTheirShadersAndNamesThem) {
             {.name = "p", .pipeline = pipeline, .reads = {{"source", &a}}, .writes = {&b, &b}, .constants = bytes}),
         "pass 'p' writes 2 images, its pipeline 1");
     EXPECT_ERROR(commands.Draw({.name = "p", .pipeline = pipeline, .reads = {{"source", &a}}, .writes = {&b}}),
-                 "pass 'p' has 0 bytes of constants, shaders/sat_bias.ps takes 16");
+                 "pass 'p' has 0 bytes of constants, shaders/subtract.ps takes 16");
 }
 
 // More passes than one descriptor pool holds.
 TEST(CommandList, TakesHundredsOfPasses) {
     const Extent2D extent{2, 2};
-    const Pipeline pipeline = BiasPipeline();
+    const Pipeline pipeline = SubtractPipeline();
     const Image source = Upload(extent, Texels(4, glm::vec4(300)));
     PingPong targets(TestDevice(), {extent, Format::RGBA32F, "many"});
-    const SATBiasConstants constants{glm::vec4(1)};
+    const SubtractConstants constants{glm::vec4(1)};
     CommandList commands(TestDevice());
     const Image* from = &source;
     for (int i = 0; i < 300; i++) {
@@ -126,9 +127,10 @@ TEST(CommandList, TakesHundredsOfPasses) {
 TEST(CommandList, TimesEachPassByName) {
     const Extent2D extent{64, 64};
     const Image source = Upload(extent, Texels(extent.Texels(), glm::vec4(1)));
-    SummedAreaTable table(TestDevice(), {.extent = extent, .taps = 8, .bias = glm::vec4(1)});
+    SummedAreaTable table(TestDevice(), {.extent = extent, .taps = 8});
+    const Image bias = Upload({1, 1}, Texels(1, glm::vec4(1)));
     CommandList commands(TestDevice(), CommandList::Timing::On);
-    table.Record(commands, source);
+    table.Record(commands, source, &bias);
     commands.SubmitAndWait();
     std::vector<std::string> names;
     for (const PassTime& pass : commands.PassTimes()) {
@@ -159,7 +161,7 @@ TEST(CommandList, WrapsAnEnginesCommandBuffer) {
 
     CommandList commands(TestDevice(), buffer);
     EXPECT_EQ(commands.Handle(), buffer);
-    const Image& sums = table.Record(commands, source);
+    const Image& sums = *table.Record(commands, source).low;
 
     ASSERT_EQ(vkEndCommandBuffer(buffer), VK_SUCCESS);
     VkSubmitInfo submit{};
@@ -176,11 +178,11 @@ TEST(CommandList, WrapsAnEnginesCommandBuffer) {
 // In the general layout no layout error can give it away, only synchronization validation can.
 TEST(Validation, CatchesAMissingBarrier) {
     const Extent2D extent{16, 16};
-    const Pipeline pipeline = BiasPipeline();
+    const Pipeline pipeline = SubtractPipeline();
     const Image source = Upload(extent, Texels(256, glm::vec4(1)));
     const Image target(TestDevice(), {extent, Format::RGBA32F, "raced"});
     const Image copy(TestDevice(), {extent, Format::RGBA32F, "copy"});
-    const SATBiasConstants constants{};
+    const SubtractConstants constants{};
 
     CommandList commands(TestDevice());
     commands.Use(copy, ImageUse::TransferTarget);

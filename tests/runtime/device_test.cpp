@@ -67,7 +67,7 @@ TEST(Device, AdoptedFromAnEnginesHandlesWorksAndDestroysNothingOfIt) {
         WriteTexels(adopted, source, std::as_bytes(std::span(ones)));
         SummedAreaTable table(adopted, {.extent = extent});
         CommandList commands(adopted);
-        const Image& sums = table.Record(commands, source);
+        const Image& sums = *table.Record(commands, source).low;
         commands.SubmitAndWait();
         Texels result(16);
         ReadTexels(adopted, sums, std::as_writable_bytes(std::span(result)));

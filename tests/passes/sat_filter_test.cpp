@@ -1,16 +1,16 @@
 // Reading the table on the device against the definition of the mean over a box, in double.
-#include "runtime/passes/box_filter.h"
+#include "runtime/passes/sat_filter.h"
 
 #include <gtest/gtest.h>
 
 #include <bit>
 #include <limits>
 
-#include "hlsl/constants/sat_constants.h"
 #include "passes_shaders.h"
 #include "runtime/passes/summed_area_table.h"
-#include "samples/effects/box_blur.h"
+#include "samples/effects/blur.h"
 #include "test_support_shaders.h"
+#include "tests/hlsl/test_constants.h"
 #include "tests/support/device_image.h"
 
 namespace boxcar {
@@ -52,21 +52,23 @@ double ErrorBound(Extent2D extent, double magnitudes, double areaTexels) {
     return (4 * depth + 20) * kUnit * magnitudes / areaTexels;
 }
 
-Texels BlurOnDevice(Extent2D extent, const Texels& source, glm::vec2 size, BoxEdge edge, uint32_t taps = 4,
+Texels BlurOnDevice(Extent2D extent, const Texels& source, glm::vec2 size, SATEdge edge, uint32_t taps = 4,
                     glm::vec4 bias = glm::vec4(0)) {
-    BoxBlur blur(TestDevice(), {.extent = extent, .taps = taps, .edge = edge, .bias = bias});
+    SummedAreaTable table(TestDevice(), {.extent = extent, .taps = taps});
+    SATFilter filter(TestDevice(), {.extent = extent, .edge = edge});
+    const Image biasTexel = Upload({1, 1}, Texels(1, bias));
     return RunOnDevice(extent, source, [&](CommandList& commands, const Image& image) -> const Image& {
-        return blur.Record(commands, image, size);
+        return filter.Record(commands, table.Record(commands, image, &biasTexel), size, &biasTexel);
     });
 }
 
 struct EdgePair {
-    BoxEdge ours;
+    SATEdge ours;
     reference::Edge theirs;
 };
-constexpr EdgePair kEdges[] = {{BoxEdge::Clip, reference::Edge::Clip}, {BoxEdge::Zero, reference::Edge::Zero}};
+constexpr EdgePair kEdges[] = {{SATEdge::Clip, reference::Edge::Clip}, {SATEdge::Zero, reference::Edge::Zero}};
 
-TEST(BoxFilter, IsWithinTheDocumentedBoundOfTheDefinition) {
+TEST(SATFilter, IsWithinTheDocumentedBoundOfTheDefinition) {
     for (const Extent2D extent : kExtents) {
         const Texels source = RandomValues(extent, 11);
         const auto reference = ToDouble(extent, source);
@@ -93,13 +95,13 @@ TEST(BoxFilter, IsWithinTheDocumentedBoundOfTheDefinition) {
 
 // Whole codes up to 256 x 256 give an exact table; then whole-texel boxes have nothing left to round but the
 // division.
-TEST(BoxFilter, OddWidthsOnWholeCodesAreTheCorrectlyRoundedQuotient) {
+TEST(SATFilter, OddWidthsOnWholeCodesAreTheCorrectlyRoundedQuotient) {
     for (const Extent2D extent : kExtents) {
         if (extent.Texels() > 256 * 256) continue;
         const Texels source = RandomCodes(extent, 12);
         const auto reference = ToDouble(extent, source);
         for (const float width : {1.0f, 3.0f, 5.0f, 9.0f, 33.0f, 129.0f}) {
-            const Texels blurred = BlurOnDevice(extent, source, {width, width}, BoxEdge::Clip);
+            const Texels blurred = BlurOnDevice(extent, source, {width, width}, SATEdge::Clip);
             for (const glm::ivec2 at : PlacesIn(extent)) {
                 const auto expected = glm::vec4(
                     reference::BoxMean(reference, at.x + 0.5, at.y + 0.5, width, width, reference::Edge::Clip));
@@ -114,7 +116,7 @@ TEST(BoxFilter, OddWidthsOnWholeCodesAreTheCorrectlyRoundedQuotient) {
 }
 
 // Erratum: the papers' "1-bit filter kernel" is one texel, and it is the identity.
-TEST(BoxFilter, WidthOneReturnsThePicture) {
+TEST(SATFilter, WidthOneReturnsThePicture) {
     for (const Extent2D extent : kExtents) {
         if (extent.Texels() > 256 * 256) continue;
         const Texels source = RandomCodes(extent, 13);
@@ -125,50 +127,50 @@ TEST(BoxFilter, WidthOneReturnsThePicture) {
     }
 }
 
-TEST(BoxFilter, AConstantPictureStaysConstantToItsRim) {
+TEST(SATFilter, AConstantPictureStaysConstantToItsRim) {
     for (const Extent2D extent : kExtents) {
         const Texels source(extent.Texels(), glm::vec4(0.3f, 1, 200, 1e-3f));
         for (const glm::vec2 size : SizesFor(extent)) {
-            const Texels exact = BlurOnDevice(extent, source, size, BoxEdge::Clip, 4, source[0]);
+            const Texels exact = BlurOnDevice(extent, source, size, SATEdge::Clip, 4, source[0]);
             EXPECT_EQ(exact, source) << "less its mean: " << extent.widthTexels << " x " << extent.heightTexels;
             const Texels codes(extent.Texels(), glm::vec4(200));
             if (extent.Texels() > 256 * 256) continue;
-            for (const glm::vec4& texel : BlurOnDevice(extent, codes, size, BoxEdge::Clip))
+            for (const glm::vec4& texel : BlurOnDevice(extent, codes, size, SATEdge::Clip))
                 ASSERT_NEAR(texel.x, 200, 200 * 4 * 0x1p-23) << extent.widthTexels << " x " << extent.heightTexels;
         }
     }
 }
 
-TEST(BoxFilter, TwiceTheExtentIsTheMeanOfItAll) {
+TEST(SATFilter, TwiceTheExtentIsTheMeanOfItAll) {
     const Extent2D extent{100, 300};
     const Texels source = RandomCodes(extent, 14);
     glm::dvec4 sum(0);
     for (const glm::vec4& texel : source)
         sum += glm::dvec4(texel);
-    const Texels blurred = BlurOnDevice(extent, source, {200, 600}, BoxEdge::Clip);
+    const Texels blurred = BlurOnDevice(extent, source, {200, 600}, SATEdge::Clip);
     for (const glm::vec4& texel : blurred)
         ASSERT_NEAR(texel.x, sum.x / 30000, 3 * 0x1p-23 * 255);
 }
 
 // Worked by hand: of the box [-1, 2) round texel 0, [0, 2) is inside: (4 + 10) / 2.
-TEST(BoxFilter, BoxAcrossTheLeftEdgeAveragesOnlyTheVisiblePart) {
+TEST(SATFilter, BoxAcrossTheLeftEdgeAveragesOnlyTheVisiblePart) {
     const Texels source = {glm::vec4(4), glm::vec4(10), glm::vec4(100)};
-    EXPECT_EQ(BlurOnDevice({3, 1}, source, {3, 1}, BoxEdge::Clip)[0], glm::vec4(7));
+    EXPECT_EQ(BlurOnDevice({3, 1}, source, {3, 1}, SATEdge::Clip)[0], glm::vec4(7));
 }
 
 // Erratum (Crow): truncated coordinates with the area of the whole box are zero padding: (4 + 10 + 0) / 3.
-TEST(BoxFilter, ZeroEdgeDividesByTheWholeBox) {
+TEST(SATFilter, ZeroEdgeDividesByTheWholeBox) {
     const Texels source = {glm::vec4(4), glm::vec4(11), glm::vec4(100)};
-    EXPECT_EQ(BlurOnDevice({3, 1}, source, {3, 1}, BoxEdge::Zero)[0], glm::vec4(5));
+    EXPECT_EQ(BlurOnDevice({3, 1}, source, {3, 1}, SATEdge::Zero)[0], glm::vec4(5));
 }
 
 // Worked by hand: [0.5, 2.5) round texel 1 takes half of texel 0, all of 1, half of 2.
-TEST(BoxFilter, AnEvenWidthTakesHalfATexelAtEachEnd) {
+TEST(SATFilter, AnEvenWidthTakesHalfATexelAtEachEnd) {
     const Texels source = {glm::vec4(4), glm::vec4(10), glm::vec4(100)};
-    EXPECT_EQ(BlurOnDevice({3, 1}, source, {2, 1}, BoxEdge::Clip)[1], glm::vec4((2 + 10 + 50) / 2.0f));
+    EXPECT_EQ(BlurOnDevice({3, 1}, source, {2, 1}, SATEdge::Clip)[1], glm::vec4((2 + 10 + 50) / 2.0f));
 }
 
-TEST(BoxFilter, BiasComesBackOverTheAreaThatCarriedIt) {
+TEST(SATFilter, BiasComesBackOverTheAreaThatCarriedIt) {
     const Extent2D extent{60, 40};
     const Texels source = RandomCodes(extent, 15);
     const glm::vec4 bias(128, 17, 0, 255);
@@ -181,12 +183,12 @@ TEST(BoxFilter, BiasComesBackOverTheAreaThatCarriedIt) {
     }
 }
 
-TEST(BoxFilter, EveryTapsGivesTheSamePicture) {
+TEST(SATFilter, EveryTapsGivesTheSamePicture) {
     const Extent2D extent{100, 300};
     const Texels source = RandomValues(extent, 16);
-    const Texels two = BlurOnDevice(extent, source, {4.5f, 4.5f}, BoxEdge::Clip, 2);
+    const Texels two = BlurOnDevice(extent, source, {4.5f, 4.5f}, SATEdge::Clip, 2);
     for (const uint32_t taps : {4u, 8u, 16u})
-        EXPECT_EQ(BlurOnDevice(extent, source, {4.5f, 4.5f}, BoxEdge::Clip, taps), two) << taps << " taps";
+        EXPECT_EQ(BlurOnDevice(extent, source, {4.5f, 4.5f}, SATEdge::Clip, taps), two) << taps << " taps";
 }
 
 // SATSampleBox and SATSampleBoxZero, by uv, with centres that are no texel's.
@@ -196,21 +198,20 @@ TEST(SATSampleBox, AgreesWithTheDefinitionAtAnyCentre) {
         const auto reference = ToDouble(extent, source);
         for (const EdgePair edge : kEdges) {
             const Pipeline pipeline(
-                TestDevice(),
-                {passes_shaders::Find("shaders/quad.vs"),
-                 test_support_shaders::Find(edge.ours == BoxEdge::Zero ? "shaders/sat_sample_box.ps.EDGE_ZERO=1"
-                                                                       : "shaders/sat_sample_box.ps.EDGE_ZERO=0")});
+                TestDevice(), {passes_shaders::Find("shaders/quad.vs"),
+                               test_support_shaders::Find(edge.ours == SATEdge::Zero
+                                                              ? "shaders/sat_sample_box.ps.SAMPLE=SATSampleBoxZero"
+                                                              : "shaders/sat_sample_box.ps.SAMPLE=SATSampleBox")});
             const Image result(TestDevice(), {extent, Format::RGBA32F, "sampled"});
             SummedAreaTable table(TestDevice(), {.extent = extent});
             for (const glm::vec2 offset : {glm::vec2(0), glm::vec2(0.375f, -0.25f), glm::vec2(-30, 3.5f)}) {
                 for (const glm::vec2 size : {glm::vec2(1), glm::vec2(2.75f, 6), glm::vec2(33)}) {
-                    const SATFilterConstants constants{
-                        {extent.widthTexels, extent.heightTexels}, size, {offset.x, offset.y, 0, 0}};
+                    const SampleConstants constants{{extent.widthTexels, extent.heightTexels}, size, offset};
                     const Texels sampled =
                         RunOnDevice(extent, source, [&](CommandList& commands, const Image& image) -> const Image& {
                             commands.Draw({.name = "sample",
                                            .pipeline = pipeline,
-                                           .reads = {{"table", &table.Record(commands, image)}},
+                                           .reads = {{"table", table.Record(commands, image).low}},
                                            .writes = {&result},
                                            .constants = ConstantBytes(constants)});
                             return result;
@@ -221,7 +222,7 @@ TEST(SATSampleBox, AgreesWithTheDefinitionAtAnyCentre) {
                                                                 std::max(0.0, x - size.x / 2)) *
                                               std::max(0.0, std::min<double>(extent.heightTexels, y + size.y / 2) -
                                                                 std::max(0.0, y - size.y / 2));
-                        const double area = edge.ours == BoxEdge::Zero ? size.x * size.y : inside;
+                        const double area = edge.ours == SATEdge::Zero ? size.x * size.y : inside;
                         if (area > 0 && area < 0.25) continue;  // a sliver, which the bound does not speak of
                         // uv is rounded, so the centre is off by up to u x side.
                         const double uvError = 4 * kUnit * std::max(extent.widthTexels, extent.heightTexels);

@@ -1,0 +1,205 @@
+// sat_exact.hlsli: summed-area tables of integers, whose boxes are exact.
+//
+// The table's entries are sums of whole-number codes modulo 2^32 (one word a channel) or 2^64 (two words, in two
+// textures). They wrap around, and differences of them undo the wrap: a sum that fits into the words comes out right to
+// the last bit, in a table of any size (sat_range.h says how large it may be). So differences come first, in integers,
+// and weights last, in floats; wrapped entries are never interpolated.
+//
+//   SATWide..        four integers modulo 2^64, one a channel; with one word only .low counts
+//   SATLoadCorner    F at any whole corner (sat.hlsli says what F is)
+//   SATSumTexels     the sum over whole texels: 4 loads a word
+//   SATSumBox        the sum over any box: 16 loads a word
+//
+// Hensley 2005, sect. 4 (the bits that a table needs); beyond the papers
+#ifndef BOXCAR_SAT_EXACT_HLSLI
+#define BOXCAR_SAT_EXACT_HLSLI
+
+#include "boxcar/sat.hlsli"
+#include "boxcar/sat_range.h"
+
+// A table of integers, W x H. With one word, `high` is not read: name the same texture twice.
+struct SATExactTable
+{
+    Texture2D<uint4> low;
+    Texture2D<uint4> high;
+    int words;      // 1 or 2
+    bool isSigned;  // codes may be negative: sums are read as two's complement
+};
+
+SATExactTable SATTable32(Texture2D<uint4> table)
+{
+    SATExactTable t;
+    t.low = table;
+    t.high = table;
+    t.words = 1;
+    t.isSigned = false;
+    return t;
+}
+
+SATExactTable SATTable64(Texture2D<uint4> low, Texture2D<uint4> high, bool isSigned)
+{
+    SATExactTable t;
+    t.low = low;
+    t.high = high;
+    t.words = 2;
+    t.isSigned = isSigned;
+    return t;
+}
+
+struct SATWide
+{
+    uint4 low;
+    uint4 high;
+};
+
+SATWide SATWideOf(uint4 low, uint4 high)
+{
+    SATWide r;
+    r.low = low;
+    r.high = high;
+    return r;
+}
+
+SATWide SATWideAdd(SATWide a, SATWide b)
+{
+    uint4 low = a.low + b.low;
+    return SATWideOf(low, a.high + b.high + uint4(low < a.low));
+}
+
+SATWide SATWideSub(SATWide a, SATWide b)
+{
+    return SATWideOf(a.low - b.low, a.high - b.high - uint4(a.low < b.low));
+}
+
+// SATMulHigh: the upper word of a product. Shader model 5 has no instruction for it.
+uint4 SATMulHigh(uint4 a, uint b)
+{
+    uint4 aLow = a & 0xffffu, aHigh = a >> 16;
+    uint bLow = b & 0xffffu, bHigh = b >> 16;
+    uint4 middle = aHigh * bLow + ((aLow * bLow) >> 16);  // at most (2^16 - 1) 2^16: it fits
+    uint4 other = aLow * bHigh + (middle & 0xffffu);
+    return aHigh * bHigh + (middle >> 16) + (other >> 16);
+}
+
+SATWide SATWideScale(SATWide a, int factor)
+{
+    uint low = uint(factor);
+    uint4 high = SATMulHigh(a.low, low) + a.high * low;
+    return SATWideOf(a.low * low, factor < 0 ? high - a.low : high);
+}
+
+// SATWideToFloat: to the nearest float for one word; off by 2 u of it for two.
+//
+//   isSigned  two's complement
+float4 SATWideToFloat(SATWide a, int words, bool isSigned)
+{
+    if (words == 1)
+        return isSigned ? float4(int4(a.low)) : float4(a.low);
+    bool4 isNegative = int4(a.high) < 0;
+    uint4 negative = isSigned ? uint4(isNegative) : uint4(0u, 0u, 0u, 0u);
+    SATWide flipped = SATWideOf(a.low ^ (0u - negative), a.high ^ (0u - negative));
+    SATWide magnitude = SATWideAdd(flipped, SATWideOf(negative, uint4(0u, 0u, 0u, 0u)));
+    return (1.0 - 2.0 * float4(negative)) * (4294967296.0 * float4(magnitude.high) + float4(magnitude.low));
+}
+
+// SATLoadEntry: a table's entry; 0 left of and above the image. 'texel' is clamped to it on the right and below.
+SATWide SATLoadEntry(SATExactTable table, int2 extentTexels, int2 texel)
+{
+    int3 at = int3(clamp(texel, 0, extentTexels - 1), 0);
+    uint inside = (texel.x >= 0 && texel.y >= 0) ? 1u : 0u;
+    SATWide entry = SATWideOf(inside * table.low.Load(at), uint4(0u, 0u, 0u, 0u));
+    if (table.words == 2)
+        entry.high = inside * table.high.Load(at);
+    return entry;
+}
+
+// SATLoadCorner: F at any whole corner, of a table whose origin is (0, 0).
+//
+// Cost: 1 load a word; 4 where the image is repeated and the corner lies outside.
+SATWide SATLoadCorner(SATExactTable table, SATFrame frame, int2 corner)
+{
+    SATPlace x = SATPlaceOf(corner.x, frame.extentTexels.x, frame.edge);
+    SATPlace y = SATPlaceOf(corner.y, frame.extentTexels.y, frame.edge);
+    int2 size = frame.extentTexels;
+    SATWide value = SATLoadEntry(table, size, int2(x.inside, y.inside) - 1);
+    if (!x.isInside || !y.isInside)
+    {
+        SATWide right = SATLoadEntry(table, size, int2(size.x, y.inside) - 1);
+        SATWide below = SATLoadEntry(table, size, int2(x.inside, size.y) - 1);
+        SATWide whole = SATLoadEntry(table, size, size - 1);
+        SATWide atY = SATWideAdd(SATWideScale(value, x.sign), SATWideScale(right, x.wholes));
+        SATWide atEnd = SATWideAdd(SATWideScale(below, x.sign), SATWideScale(whole, x.wholes));
+        value = SATWideAdd(SATWideScale(atY, y.sign), SATWideScale(atEnd, y.wholes));
+    }
+    return value;
+}
+
+// SATSumTexels: the sum of the codes over whole texels, lo <= texel < hi.
+//
+//   returns  modulo 2^32 or 2^64: exact while the sum itself fits (SATBoxIsExact)
+//
+// Cost: 4 loads a word; 16 where the image is repeated and the box lies outside.
+//
+// Crow 1984, sect. 2.1; Hensley 2005, sect. 2 (Fig. 2)
+SATWide SATSumTexels(SATExactTable table, SATFrame frame, int2 lo, int2 hi)
+{
+    SATWide below = SATWideSub(SATLoadCorner(table, frame, hi), SATLoadCorner(table, frame, int2(lo.x, hi.y)));
+    SATWide above = SATWideSub(SATLoadCorner(table, frame, int2(hi.x, lo.y)), SATLoadCorner(table, frame, lo));
+    return SATWideSub(below, above);
+}
+
+// The three stretches that a box takes from an axis: part of a texel, whole texels, part of a texel.
+struct SATStretches
+{
+    int4 corner;    // where they begin and end
+    float3 weight;  // how much of each counts
+};
+
+SATStretches SATStretchesOf(float lo, float hi)
+{
+    int first = int(floor(lo));
+    int last = int(floor(hi));
+    bool isOneTexel = last <= first;
+    SATStretches s;
+    s.corner = int4(first, first + 1, isOneTexel ? first + 1 : last, last + 1);
+    s.weight = isOneTexel ? float3(hi - lo, 0.0, 0.0) : float3(1.0 - (lo - first), 1.0, hi - last);
+    return s;
+}
+
+// SATSumBox: the sum of the codes over a box, weighted by coverage where an edge cuts a texel.
+//
+//   table    the integers' table, origin (0, 0)
+//   frame   how it lies over the image
+//   box      from SATClipBox
+//   returns  sum per channel, in codes x texels
+//
+// Range:  as long as the whole texels' sum fits into the words (SATBoxIsExact); else it is wrong.
+// Error:  with whole edges, that of the last conversion: 0 below 2^24, else one rounding to float (two for two words).
+//         With others, 8 u of the sum: that of the nine weighted sums.
+// Cost:   16 loads a word; 64 where the image is repeated and the box lies outside.
+float4 SATSumBox(SATExactTable table, SATFrame frame, SATBox box)
+{
+    SATStretches x = SATStretchesOf(box.loTexels.x, box.hiTexels.x);
+    SATStretches y = SATStretchesOf(box.loTexels.y, box.hiTexels.y);
+    float4 sum = (float4)0;
+    SATWide above[3];
+    [unroll]
+    for (int row = 0; row < 4; row++)
+    {
+        SATWide left = SATLoadCorner(table, frame, int2(x.corner[0], y.corner[row]));
+        [unroll]
+        for (int column = 0; column < 3; column++)
+        {
+            SATWide right = SATLoadCorner(table, frame, int2(x.corner[column + 1], y.corner[row]));
+            SATWide strip = SATWideSub(right, left);
+            if (row > 0)
+                sum += (x.weight[column] * y.weight[row - 1])
+                     * SATWideToFloat(SATWideSub(strip, above[column]), table.words, table.isSigned);
+            above[column] = strip;
+            left = right;
+        }
+    }
+    return sum;
+}
+
+#endif

@@ -1,0 +1,262 @@
+// sat_order.hlsli: tent and parabolic filters from tables of second and third order.
+//
+// S_n is the summed-area table taken n times. Differences of it over the width W, n times on either axis, give the image
+// filtered by n boxes of width W one after the other: a box, a tent (2 W wide), a parabolic filter (3 W wide):
+//
+//   sum over j = 0..n of (-1)^j C(n, j) S_n[e - j W],    on x and on y
+//
+// Tables of floats have no digits left for this; integers modulo 2^32 or 2^64 do it exactly (sat_exact.hlsli).
+//
+//   SATSumWhole      whole W on whole texels: (n + 1)^2 loads a word, exact
+//   SATSumOrder      any W about any point, n = 2, 3: 81 and 256 loads a word
+//   SATMassFull, SATMassWhole, SATMassOrder    what the kernel's weights add up to on one axis, inside the image
+//
+// A whole W that SATSumWhole can take is the box of W texels taken n times over texels. SATSumOrder is the integral of
+// the kernel over the image as a function that is constant on each texel; it is continuous in W and in the point.
+//
+// Heckbert's repeated integration, as in Hensley 2005, sect. 2
+#ifndef BOXCAR_SAT_ORDER_HLSLI
+#define BOXCAR_SAT_ORDER_HLSLI
+
+#include "boxcar/sat_exact.hlsli"
+
+// SATContinue: a table of order n continues as a polynomial of degree n - 1 where nothing is added any more. The weights
+// of the last n entries (the last one first) in the entry that comes `ahead` texels after them; `ahead` may be negative:
+// that is what a table would hold if nothing lay before.
+int3 SATContinue(int order, int ahead)
+{
+    if (order == 1)
+        return int3(1, 0, 0);
+    if (order == 2)
+        return int3(1 + ahead, -ahead, 0);
+    int twice = ahead * (ahead + 1) / 2;
+    return int3(1 + ahead + twice, -ahead - 2 * twice, twice);
+}
+
+// SATLoadOrder: an entry of a table of order n, anywhere: 0 left of and above the image, continued right of and below it.
+//
+// Cost: 1 load a word inside, n where one index is beyond the image, n^2 where both are.
+SATWide SATLoadOrder(SATExactTable table, int2 extentTexels, int order, int2 texel)
+{
+    int2 beyond = max(texel - (extentTexels - 1), 0);
+    SATWide sum = SATLoadEntry(table, extentTexels, texel);
+    if (beyond.x > 0 || beyond.y > 0)
+    {
+        int3 wx = beyond.x > 0 ? SATContinue(order, beyond.x) : int3(1, 0, 0);
+        int3 wy = beyond.y > 0 ? SATContinue(order, beyond.y) : int3(1, 0, 0);
+        int2 last = min(texel, extentTexels - 1);
+        sum = SATWideOf(uint4(0u, 0u, 0u, 0u), uint4(0u, 0u, 0u, 0u));
+        for (int y = 0; y < (beyond.y > 0 ? order : 1); y++)
+        {
+            SATWide row = SATWideOf(uint4(0u, 0u, 0u, 0u), uint4(0u, 0u, 0u, 0u));
+            for (int x = 0; x < (beyond.x > 0 ? order : 1); x++)
+                row = SATWideAdd(row, SATWideScale(SATLoadEntry(table, extentTexels, last - int2(x, y)), wx[x]));
+            sum = SATWideAdd(sum, SATWideScale(row, wy[y]));
+        }
+    }
+    return sum;
+}
+
+// SATBinomial: (-1)^j C(order, j), the weights of the n-th difference.
+int SATBinomial(int order, int j)
+{
+    int magnitude = (j == 0 || j == order) ? 1 : order;  // for orders up to 3
+    return (j & 1) != 0 ? -magnitude : magnitude;
+}
+
+// SATSumWhole: the sum of codes times the whole-number weights of n boxes of whole widths.
+//
+//   table         of order n, of integers
+//   extentTexels  (W, H)
+//   order         1, 2, 3
+//   texel         the kernel's middle
+//   sizeTexels    of the boxes; order * (sizeTexels - 1) must be even on both axes: odd widths, or tents
+//   returns       modulo 2^32 or 2^64; the image is 0 outside
+//
+// Range:  exact while the sum fits into the words (SATBoxIsExact).
+// Cost:   4, 9, 16 loads a word; more at the right and bottom rim (SATLoadOrder).
+//
+// Hensley 2005, sect. 2 (the second-order filter, with its two -1 as +1)
+SATWide SATSumWhole(SATExactTable table, int2 extentTexels, int order, int2 texel, int2 sizeTexels)
+{
+    int2 end = texel + order * (sizeTexels - 1) / 2;
+    SATWide sum = SATWideOf(uint4(0u, 0u, 0u, 0u), uint4(0u, 0u, 0u, 0u));
+    for (int y = 0; y <= order; y++)
+    {
+        SATWide row = SATWideOf(uint4(0u, 0u, 0u, 0u), uint4(0u, 0u, 0u, 0u));
+        for (int x = 0; x <= order; x++)
+            row = SATWideAdd(row, SATWideScale(SATLoadOrder(table, extentTexels, order, end - int2(x, y) * sizeTexels),
+                                               SATBinomial(order, x)));
+        sum = SATWideAdd(sum, SATWideScale(row, SATBinomial(order, y)));
+    }
+    return sum;
+}
+
+// SATMassFull: what a kernel's weights add up to on one axis when all of it is inside: widthTexels^order.
+float SATMassFull(int order, float widthTexels)
+{
+    float square = widthTexels * widthTexels;
+    return order == 1 ? widthTexels : order == 2 ? square : square * widthTexels;
+}
+
+// SATWholeTail: what the outer texels of a whole kernel weigh on one side of an axis, as far as its middle.
+//
+//   texels  how many of the kernel's outer texels
+float SATWholeTail(int order, int widthTexels, int texels)
+{
+    float outer = max(texels, 0);
+    float inner = max(texels - widthTexels, 0);
+    if (order == 1)
+        return outer;
+    if (order == 2)
+        return 0.5 * outer * (outer + 1.0);
+    return outer * (outer + 1.0) * (outer + 2.0) / 6.0 - 0.5 * inner * (inner + 1.0) * (inner + 2.0);
+}
+
+// SATMassWhole: what the weights of SATSumWhole add up to inside the image, on one axis. `texel` is inside.
+float SATMassWhole(int order, int texel, int widthTexels, int sizeTexels)
+{
+    int reach = order * (widthTexels - 1) / 2;
+    return SATMassFull(order, widthTexels)
+                - SATWholeTail(order, widthTexels, reach - texel)
+                - SATWholeTail(order, widthTexels, reach - (sizeTexels - 1 - texel));
+}
+
+// SATKernelBelow: the integral of the kernel of order n, of boxes of width 1 about 0, from the left up to t.
+float SATKernelBelow(int order, float t)
+{
+    if (order == 1)
+        return saturate(t + 0.5);
+    if (order == 2)
+    {
+        float u = saturate(1.0 - abs(t));
+        return t < 0.0 ? 0.5 * u * u : 1.0 - 0.5 * u * u;
+    }
+    float u = saturate(1.5 - abs(t));
+    float outer = u * u * u / 6.0;
+    float inner = t * (0.75 - t * t / 3.0);
+    if (abs(t) < 0.5)
+        return 0.5 + inner;
+    return t < 0.0 ? outer : 1.0 - outer;
+}
+
+// SATMassOrder: what the kernel of SATSumOrder adds up to inside the image, on one axis; order 1 to 3.
+float SATMassOrder(int order, float centreTexels, float widthTexels, int sizeTexels)
+{
+    return SATMassFull(order, widthTexels) * (SATKernelBelow(order, (sizeTexels - centreTexels) / widthTexels)
+                                            - SATKernelBelow(order, -centreTexels / widthTexels));
+}
+
+// The entries of an axis that a kernel of order n reads, and what each counts: at its n + 1 knots, n + 1 entries each,
+// weighted by the B-spline of degree n.
+struct SATKnots
+{
+    int order;
+    int base;        // an entry next to the kernel's middle: all others are taken relative to it
+    float centre;    // of the kernel, in texels from `origin`
+    int origin;      // a whole texel near it: small numbers keep their digits
+    float width;
+};
+
+SATKnots SATKnotsOf(int order, float centreTexels, float widthTexels)
+{
+    SATKnots k;
+    k.order = order;
+    k.origin = int(floor(centreTexels));
+    k.centre = centreTexels - k.origin;
+    k.width = widthTexels;
+    // The knot at the middle of a tent, and the one left of the middle of a parabolic filter.
+    k.base = k.origin + int(floor(k.centre - (order == 2 ? 0.0 : 0.5 * widthTexels))) - 1;
+    return k;
+}
+
+// SATKnotEntry: entry number t, 0 <= t < (order + 1)^2: its index and its weight.
+int SATKnotEntry(SATKnots k, int t, out float weight)
+{
+    int knot = t / (k.order + 1);
+    int i = t - knot * (k.order + 1);
+    float at = k.centre + (0.5 * k.order - knot) * k.width;
+    float f = at - floor(at);
+    float g = 1.0 - f;
+    float4 spline = k.order == 2
+        ? float4(0.5 * g * g, 0.5 + f * g, 0.5 * f * f, 0.0)
+        : float4(g * g * g / 6.0, (3.0 * f * f * f - 6.0 * f * f + 4.0) / 6.0,
+                 (3.0 * g * g * g - 6.0 * g * g + 4.0) / 6.0, f * f * f / 6.0);
+    weight = spline[i] * SATBinomial(k.order, knot);
+    return k.origin + int(floor(at)) - k.order + i;
+}
+
+// SATLessBase: an entry less what the entries at the base make of it when they are continued.
+SATWide SATLessBase(SATWide entry, int order, int3 weight, SATWide base0, SATWide base1, SATWide base2)
+{
+    entry = SATWideSub(entry, SATWideScale(base0, weight.x));
+    entry = SATWideSub(entry, SATWideScale(base1, weight.y));
+    if (order == 3)
+        entry = SATWideSub(entry, SATWideScale(base2, weight.z));
+    return entry;
+}
+
+// SATSumOrder: the sum of codes under a tent or a parabolic filter of any width about any point.
+//
+//   table         of order n, of integers
+//   extentTexels  (W, H)
+//   order         2, 3
+//   centreTexels  in edge coordinates
+//   sizeTexels    of the boxes that the kernel is made of; 1 at least
+//   returns       the integral of the image times the kernel times (w h)^n; the image is 0 outside
+//
+// A wrapped entry cannot be weighted. So the table is first made to start at the kernel's middle: what the entries there
+// continue as is taken off every other, in integers. What is left are sums from the middle outwards, positive and
+// negative, no larger than twice the result: they fit into the words (SATBoxIsExact) and into float's digits.
+//
+// Error:  1e-5 of the largest code's filtered value (SATFilter.TentAndParabolicAreTheAnalyticFilter).
+// Cost:   81 loads a word (order 2), 304 (order 3); more at the right and bottom rim (SATLoadOrder).
+float4 SATSumOrder(SATExactTable table, int2 extentTexels, int order, float2 centreTexels, float2 sizeTexels)
+{
+    SATKnots kx = SATKnotsOf(order, centreTexels.x, sizeTexels.x);
+    SATKnots ky = SATKnotsOf(order, centreTexels.y, sizeTexels.y);
+    int count = (order + 1) * (order + 1);
+    int2 base = int2(kx.base, ky.base);
+    float unused;
+
+    // The columns that are read, in the rows at the base: each entry starts at the middle on x already.
+    SATWide rows[48];
+    int x, y, r;
+    for (r = 0; r < order; r++)
+    {
+        SATWide base0 = SATLoadOrder(table, extentTexels, order, base - int2(0, r));
+        SATWide base1 = SATLoadOrder(table, extentTexels, order, base - int2(1, r));
+        SATWide base2 = SATLoadOrder(table, extentTexels, order, base - int2(2, r));
+        for (x = 0; x < count; x++)
+        {
+            int column = SATKnotEntry(kx, x, unused);
+            rows[3 * x + r] = SATLessBase(SATLoadOrder(table, extentTexels, order, int2(column, base.y - r)), order,
+                                          SATContinue(order, column - base.x), base0, base1, base2);
+        }
+    }
+
+    float4 sum = (float4)0;
+    for (y = 0; y < count; y++)
+    {
+        float weightY;
+        int row = SATKnotEntry(ky, y, weightY);
+        int3 fromBase = SATContinue(order, row - base.y);
+        SATWide base0 = SATLoadOrder(table, extentTexels, order, int2(base.x, row));
+        SATWide base1 = SATLoadOrder(table, extentTexels, order, int2(base.x - 1, row));
+        SATWide base2 = SATLoadOrder(table, extentTexels, order, int2(base.x - 2, row));
+        float4 rowSum = (float4)0;
+        for (x = 0; x < count; x++)
+        {
+            float weightX;
+            int column = SATKnotEntry(kx, x, weightX);
+            SATWide entry = SATLessBase(SATLoadOrder(table, extentTexels, order, int2(column, row)), order,
+                                        SATContinue(order, column - base.x), base0, base1, base2);
+            entry = SATLessBase(entry, order, fromBase, rows[3 * x], rows[3 * x + 1], rows[3 * x + 2]);
+            rowSum += weightX * SATWideToFloat(entry, table.words, true);
+        }
+        sum += weightY * rowSum;
+    }
+    return sum;
+}
+
+#endif

@@ -1,0 +1,31 @@
+// What a summed-area table is made of: floats, or integers of one or two words a channel.
+#pragma once
+
+#include "runtime/image.h"
+
+namespace boxcar {
+
+enum class SATPrecision {
+    FP32,  // RGBA32F; rounds
+    U32,   // RGBA32UI: sums of codes modulo 2^32; exact while the sum under the filter fits
+    U64,   // two RGBA32UI, the lower and the upper words: modulo 2^64
+};
+
+constexpr uint32_t WordsOf(SATPrecision precision) {
+    return precision == SATPrecision::U64 ? 2 : 1;
+}
+
+constexpr Format WordFormat(SATPrecision precision) {
+    return precision == SATPrecision::FP32 ? Format::RGBA32F : Format::RGBA32UI;
+}
+
+// The images that together hold one value a texel and channel.
+struct TexelWords {
+    TexelWords(const Image& only) : low(&only) {}
+    TexelWords(const Image& lowWords, const Image& highWords) : low(&lowWords), high(&highWords) {}
+
+    const Image* low;
+    const Image* high = nullptr;  // U64 only
+};
+
+}  // namespace boxcar

@@ -1,0 +1,26 @@
+// Constants of shaders that only tests run: one text for HLSL and C++.
+#ifndef BOXCAR_TEST_CONSTANTS_H
+#define BOXCAR_TEST_CONSTANTS_H
+
+#ifdef __cplusplus
+#include "hlsl/constants/hlsl_types.h"
+namespace boxcar {
+#endif
+
+// subtract.ps
+struct SubtractConstants {
+    float4 value;
+};
+
+// sat_sample_box.ps, sat_order.ps
+struct SampleConstants {
+    int2 extentTexels;
+    float2 sizeTexels;
+    float2 offsetTexels;  // of the kernel's centre from the texel's
+};
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

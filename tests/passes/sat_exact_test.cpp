@@ -1,0 +1,561 @@
+// Tables of integers, and all that is read from them, against references in 128-bit integers and in double.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/common.hpp>
+#include <limits>
+
+#include "hlsl/boxcar/sat_range.h"
+#include "passes_shaders.h"
+#include "samples/effects/blur.h"
+#include "test_support_shaders.h"
+#include "tests/hlsl/test_constants.h"
+#include "tests/reference/order.h"
+#include "tests/support/device_codes.h"
+#include "tests/support/expect_error.h"
+
+namespace boxcar {
+namespace {
+
+using reference::Border;
+
+constexpr Extent2D kExtents[] = {{1, 1}, {1, 6}, {6, 1}, {12, 19}, {49, 2}, {100, 300}, {257, 31}};
+constexpr SATPrecision kExact[] = {SATPrecision::U32, SATPrecision::U64};
+constexpr int64_t kHalfLargest = int64_t{65504} << 24;
+
+struct EdgePair {
+    SATEdge ours;
+    Border theirs;
+};
+constexpr EdgePair kEdges[] = {{SATEdge::Clip, Border::Clip},
+                               {SATEdge::Zero, Border::Zero},
+                               {SATEdge::Repeat, Border::Repeat},
+                               {SATEdge::Mirror, Border::Mirror}};
+
+// As many words as there are, one 64-bit number a channel.
+std::vector<std::array<uint64_t, 4>> DownloadSums(TexelWords words) {
+    std::vector<std::array<uint64_t, 4>> sums;
+    for (const glm::uvec4& low : DownloadWords(*words.low))
+        sums.push_back({low.x, low.y, low.z, low.w});
+    if (words.high) {
+        size_t i = 0;
+        for (const glm::uvec4& high : DownloadWords(*words.high)) {
+            for (int c = 0; c < 4; c++)
+                sums[i][static_cast<size_t>(c)] |= uint64_t{high[c]} << 32;
+            i++;
+        }
+    }
+    return sums;
+}
+
+std::vector<std::array<uint64_t, 4>> TableOf(const reference::CodeImage& image, SATPrecision precision,
+                                             uint32_t order, uint32_t taps) {
+    const DeviceCodes codes(image, precision);
+    SummedAreaTable table(TestDevice(),
+                          {.extent = codes.images[0].Extent(), .precision = precision, .order = order, .taps = taps});
+    CommandList commands(TestDevice());
+    const TexelWords sums = table.Record(commands, codes.Words());
+    commands.SubmitAndWait();
+    return DownloadSums(sums);
+}
+
+size_t WrongEntries(const std::vector<std::array<uint64_t, 4>>& actual, const reference::WideImage& expected,
+                    SATPrecision precision) {
+    size_t wrong = 0;
+    for (size_t i = 0; i < actual.size(); i++)
+        for (size_t c = 0; c < 4; c++)
+            wrong += static_cast<__int128>(actual[i][c]) !=
+                     reference::WrapTo(expected.texels[i][c], precision == SATPrecision::U64 ? 64 : 32);
+    return wrong;
+}
+
+TEST(ExactTable, EntriesOfEveryOrderAreTheRepeatedSumsModuloTheirWords) {
+    for (const Extent2D extent : kExtents) {
+        for (const SATPrecision precision : kExact) {
+            // Codes as large as they come, so that the tables wrap.
+            const bool isWide = precision == SATPrecision::U64;
+            const auto image = isWide ? RandomCodeImage(extent, 31, -kHalfLargest, kHalfLargest)
+                                      : RandomCodeImage(extent, 31, 0, 0xffffffff);
+            for (uint32_t order = 1; order <= 3; order++) {
+                const auto expected = reference::RepeatedTable(image, static_cast<int>(order));
+                for (const uint32_t taps : {2u, 4u, 8u, 16u})
+                    EXPECT_EQ(WrongEntries(TableOf(image, precision, order, taps), expected, precision), 0u)
+                        << extent.widthTexels << " x " << extent.heightTexels << ", order " << order << ", " << taps
+                        << " taps, " << 32 * WordsOf(precision) << " bits";
+            }
+        }
+    }
+}
+
+TEST(ExactTable, NothingOfAnEarlierPictureIsLeftInATableOfAnyOrder) {
+    const Extent2D extent{37, 70};
+    for (uint32_t order = 1; order <= 3; order++) {
+        SummedAreaTable table(TestDevice(), {.extent = extent, .precision = SATPrecision::U64, .order = order});
+        for (const uint32_t seed : {32u, 33u, 34u}) {
+            const auto image = RandomCodeImage(extent, seed, 0, 65535);
+            const DeviceCodes codes(image, SATPrecision::U64);
+            CommandList commands(TestDevice());
+            const TexelWords sums = table.Record(commands, codes.Words());
+            commands.SubmitAndWait();
+            EXPECT_EQ(WrongEntries(DownloadSums(sums), reference::RepeatedTable(image, static_cast<int>(order)),
+                                   SATPrecision::U64),
+                      0u);
+        }
+    }
+}
+
+// Sums over whole texels of `boxes`: (lo.x, lo.y, hi.x, hi.y).
+std::vector<std::array<uint64_t, 4>> SumsOf(const reference::CodeImage& image, SATPrecision precision,
+                                            const std::vector<glm::ivec4>& boxes, Extent2D boxesExtent,
+                                            const char* edge) {
+    const DeviceCodes codes(image, precision);
+    const Extent2D extent = codes.images[0].Extent();
+    SummedAreaTable table(TestDevice(), {.extent = extent, .precision = precision});
+    const Image boxImage = UploadWords(boxesExtent, {boxes.begin(), boxes.end()});
+    const uint32_t words = WordsOf(precision);
+    const std::string name = fmt::format("shaders/sat_sum_texels.ps.WORDS={}.EDGE={}", words, edge);
+    const Pipeline pipeline(TestDevice(), {passes_shaders::Find("shaders/quad.vs"), test_support_shaders::Find(name),
+                                           std::vector(words, Format::RGBA32UI)});
+    const Image low(TestDevice(), {boxesExtent, Format::RGBA32UI, "low"});
+    const Image high(TestDevice(), {boxesExtent, Format::RGBA32UI, "high"});
+    CommandList commands(TestDevice());
+    const TexelWords sums = table.Record(commands, codes.Words());
+    const SampleConstants constants{{extent.widthTexels, extent.heightTexels}, {}, {}};
+    Pass pass{.name = "sum",
+              .pipeline = pipeline,
+              .reads = {{"table", sums.low}, {"boxes", &boxImage}},
+              .writes = {&low},
+              .constants = ConstantBytes(constants)};
+    if (words == 2) {
+        pass.reads.push_back({"tableHigh", sums.high});
+        pass.writes.push_back(&high);
+    }
+    commands.Draw(pass);
+    commands.SubmitAndWait();
+    return DownloadSums(words == 2 ? TexelWords(low, high) : TexelWords(low));
+}
+
+// 4096 x 4096 texels and 1,000,000 boxes: all whose own sum fits come out to the last bit, though the table wraps
+// many times over.
+TEST(ExactTable, AMillionBoxesOfALargePictureAreExact) {
+    constexpr int kSide = 4096;
+    constexpr Extent2D kBoxes{1000, 1000};
+    for (const SATPrecision precision : kExact) {
+        const bool isWide = precision == SATPrecision::U64;
+        std::mt19937_64 random(35);
+        reference::CodeImage image{kSide, kSide, {}};
+        for (int i = 0; i < kSide * kSide; i++) {
+            const uint64_t bits = random();
+            // 8-bit codes; half floats' codes of up to 40 bits.
+            if (isWide)
+                image.texels.push_back({static_cast<int64_t>(bits >> 24), static_cast<int64_t>(bits % 99), 1,
+                                        static_cast<int64_t>(bits & 0xffffff) << 16});
+            else
+                image.texels.push_back({static_cast<int64_t>(bits & 255), static_cast<int64_t>(bits >> 8 & 255), 255,
+                                        static_cast<int64_t>(bits >> 16 & 255)});
+        }
+        std::vector<glm::ivec4> boxes;
+        for (uint64_t i = 0; i < kBoxes.Texels(); i++) {
+            const int x = static_cast<int>(random() % kSide), y = static_cast<int>(random() % kSide);
+            boxes.emplace_back(x, y, x + 1 + static_cast<int>(random() % static_cast<uint64_t>(kSide - x)),
+                               y + 1 + static_cast<int>(random() % static_cast<uint64_t>(kSide - y)));
+        }
+        const auto actual = SumsOf(image, precision, boxes, kBoxes, "SAT_EDGE_CLIP");
+        const auto table = reference::RepeatedTable(image, 1);
+        const auto at = [&](int x, int y, size_t c) -> __int128 {
+            return x > 0 && y > 0 ? table.At(x - 1, y - 1)[c] : 0;
+        };
+        size_t wrong = 0, tooLarge = 0;
+        for (size_t i = 0; i < boxes.size(); i++) {
+            const glm::ivec4 b = boxes[i];
+            for (size_t c = 0; c < 4; c++) {
+                const __int128 expected = at(b.z, b.w, c) - at(b.x, b.w, c) - at(b.z, b.y, c) + at(b.x, b.y, c);
+                if (expected >> (32 * WordsOf(precision)) != 0) {
+                    tooLarge++;
+                    continue;
+                }
+                wrong += static_cast<__int128>(actual[i][c]) != expected;
+            }
+        }
+        EXPECT_EQ(wrong, 0u);
+        EXPECT_EQ(tooLarge, 0u) << "every box of 8-bit codes up to 16,843,009 texels fits into 32 bits";
+    }
+}
+
+TEST(ExactTable, RepeatedAndMirroredBoxesOfManyPeriodsAreExact) {
+    for (const Extent2D extent : {Extent2D{5, 7}, Extent2D{1, 3}, Extent2D{12, 19}}) {
+        const auto image = RandomCodeImage(extent, 36, 0, 255);
+        std::mt19937 random(37);
+        std::vector<glm::ivec4> boxes;
+        for (int i = 0; i < 200; i++) {
+            const int x = static_cast<int>(random() % 120) - 60, y = static_cast<int>(random() % 120) - 60;
+            boxes.emplace_back(x, y, x + static_cast<int>(random() % 100), y + static_cast<int>(random() % 100));
+        }
+        for (const auto& [name, border] :
+             {std::pair("SAT_EDGE_REPEAT", Border::Repeat), std::pair("SAT_EDGE_MIRROR", Border::Mirror)}) {
+            for (const SATPrecision precision : kExact) {
+                const auto actual = SumsOf(image, precision, boxes, {200, 1}, name);
+                for (size_t i = 0; i < boxes.size(); i++) {
+                    uint64_t expected = 0;
+                    for (int y = boxes[i].y; y < boxes[i].w; y++)
+                        for (int x = boxes[i].x; x < boxes[i].z; x++)
+                            expected +=
+                                static_cast<uint64_t>(image.At(reference::MapTexel(x, image.width, border),
+                                                               reference::MapTexel(y, image.height, border))[1]);
+                    ASSERT_EQ(actual[i][1], expected) << name << ", box " << i;
+                }
+            }
+        }
+    }
+}
+
+Texels BlurCodes(const reference::CodeImage& image, BlurDesc desc, const SATWidths& widths) {
+    const DeviceCodes codes(image, desc.precision);
+    desc.extent = codes.images[0].Extent();
+    desc.largestTexels = widths.maxTexels;
+    Blur blur(TestDevice(), desc);
+    CommandList commands(TestDevice());
+    const Image& result = blur.Record(commands, codes.Words(), widths);
+    commands.SubmitAndWait();
+    return Download(result);
+}
+
+// All texels of a small image; of a large one its rim and random ones.
+std::vector<glm::ivec2> PlacesIn(const reference::CodeImage& image) {
+    std::vector<glm::ivec2> places;
+    std::mt19937 random(38);
+    const bool isSmall = image.width * image.height <= 400;
+    for (int y = 0; y < image.height; y++)
+        for (int x = 0; x < image.width; x++) {
+            const bool isCorner = (x < 3 || x >= image.width - 3) && (y < 3 || y >= image.height - 3);
+            if (isSmall || isCorner || random() % 150 == 0) places.emplace_back(x, y);
+        }
+    return places;
+}
+
+// Whole widths: the sum is a whole number, to the last bit. It is turned into a float and divided by the mass; those
+// are the only roundings, and each is that of IEEE 754 where the device divides so.
+TEST(SATOrder, WholeWidthsAreTheRepeatedBoxOverTexelsExactly) {
+    for (const Extent2D extent : kExtents) {
+        const auto image = RandomCodeImage(extent, 39, 0, 255);
+        for (uint32_t order = 1; order <= 3; order++) {
+            for (const glm::ivec2 size : {glm::ivec2(1), glm::ivec2(3), glm::ivec2(5, 9), glm::ivec2(2, 4)}) {
+                if (order != 2 && size.x % 2 == 0) continue;
+                for (const EdgePair edge : kEdges) {
+                    const bool isMirrored = edge.ours == SATEdge::Repeat || edge.ours == SATEdge::Mirror;
+                    if (order == 1 && isMirrored) continue;
+                    for (const SATPrecision precision : kExact) {
+                        const Texels blurred = BlurCodes(
+                            image,
+                            {.precision = precision, .order = order, .edge = edge.ours, .codes = {255, 255, false}},
+                            SATWidths(glm::vec2(size)));
+                        for (const glm::ivec2 at : PlacesIn(image)) {
+                            const auto sum = reference::WholeSum(image, static_cast<int>(order), at.x, at.y, size.x,
+                                                                 size.y, edge.theirs);
+                            const auto mass = static_cast<float>(reference::WholeAxisMass(
+                                                  image.width, static_cast<int>(order), at.x, size.x, edge.theirs)) *
+                                              static_cast<float>(reference::WholeAxisMass(
+                                                  image.height, static_cast<int>(order), at.y, size.y, edge.theirs));
+                            for (int c = 0; c < 4; c++)
+                                ASSERT_EQ(blurred[at.y * extent.widthTexels + at.x][c],
+                                          static_cast<float>(sum[static_cast<size_t>(c)]) / (mass * 255.0f))
+                                    << extent.widthTexels << " x " << extent.heightTexels << ", order " << order
+                                    << ", width " << size.x << " x " << size.y << " at " << at.x << ", " << at.y
+                                    << ", edge " << static_cast<int>(edge.ours);
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+// Erratum: the signs of the second-order filter; all four of the corner weights and the middle one are positive.
+TEST(SATOrder, TheTentIsTheBartlettKernelWithItsSignsPutRight) {
+    reference::CodeImage impulse{9, 9, {}};
+    impulse.texels.assign(81, {0, 0, 0, 0});
+    impulse.texels[4 * 9 + 4] = {81, 0, 0, 0};
+    const Texels tent = BlurCodes(impulse, {.precision = SATPrecision::U32, .order = 2, .codes = {1, 255, false}},
+                                  SATWidths(glm::vec2(3)));
+    const float weights[] = {1, 2, 3, 2, 1};
+    for (int y = 0; y < 5; y++)
+        for (int x = 0; x < 5; x++)
+            EXPECT_EQ(tent[(y + 2) * 9 + x + 2].x, weights[x] * weights[y]);
+    EXPECT_EQ(tent[1 * 9 + 4].x, 0);
+}
+
+// The table is not constant beyond its last texel: clamped addresses would give -341 for 43.
+TEST(SATOrder, ATentAtTheRightRimReadsTheTableAsItGoesOn) {
+    reference::CodeImage ones{64, 1, {}};
+    ones.texels.assign(64, {1, 1, 1, 1});
+    const Texels tent =
+        BlurCodes(ones, {.precision = SATPrecision::U32, .order = 2, .edge = SATEdge::Zero, .codes = {1, 255, false}},
+                  SATWidths(glm::vec2(8, 1)));
+    EXPECT_EQ(tent[62].x, 43.0f / 64);
+    EXPECT_EQ(tent[20].x, 1.0f);
+}
+
+TEST(SATOrder, TentAndParabolicAreTheAnalyticFilter) {
+    for (const Extent2D extent : {Extent2D{12, 19}, Extent2D{49, 2}, Extent2D{100, 130}, Extent2D{1, 6}}) {
+        const auto image = RandomCodeImage(extent, 40, 0, 255);
+        const auto reference = ToDouble(image);
+        for (uint32_t order = 1; order <= 3; order++) {
+            for (const glm::vec2 size :
+                 {glm::vec2(1.0625f), glm::vec2(2.5f, 7.25f), glm::vec2(8.3f), glm::vec2(4), glm::vec2(10.5f, 3)}) {
+                const bool isWhole = size == glm::floor(size) && (order == 2 || size.x == 3);
+                if (isWhole) continue;
+                for (const EdgePair edge : kEdges) {
+                    for (const SATPrecision precision : kExact) {
+                        const BlurDesc desc{
+                            .precision = precision, .order = order, .edge = edge.ours, .codes = {255, 255, false}};
+                        const Texels blurred = BlurCodes(image, desc, SATWidths(size));
+                        for (const glm::ivec2 at : PlacesIn(image)) {
+                            const glm::dvec4 expected =
+                                reference::FilterMean(reference, static_cast<int>(order), at.x + 0.5, at.y + 0.5,
+                                                      size.x, size.y, edge.theirs);
+                            for (int c = 0; c < 4; c++)
+                                ASSERT_NEAR(blurred[at.y * extent.widthTexels + at.x][c], expected[c] / 255, 1e-5)
+                                    << extent.widthTexels << " x " << extent.heightTexels << ", order " << order
+                                    << ", width " << size.x << " x " << size.y << " at " << at.x << ", " << at.y
+                                    << ", edge " << static_cast<int>(edge.ours);
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST(SATOrder, TentAndParabolicAreTheAnalyticFilterRoundAnyCentre) {
+    const Extent2D extent{160, 90};
+    const auto image = RandomCodeImage(extent, 41, 0, 65535);
+    const auto reference = ToDouble(image);
+    const DeviceCodes codes(image, SATPrecision::U64);
+    std::mt19937 random(42);
+    for (uint32_t order = 2; order <= 3; order++) {
+        SummedAreaTable table(TestDevice(), {.extent = extent, .precision = SATPrecision::U64, .order = order});
+        const Pipeline pipeline(TestDevice(),
+                                {passes_shaders::Find("shaders/quad.vs"),
+                                 test_support_shaders::Find(fmt::format("shaders/sat_order.ps.ORDER={}", order))});
+        const Image result(TestDevice(), {extent, Format::RGBA32F, "sampled"});
+        for (int draw = 0; draw < 6; draw++) {
+            std::uniform_real_distribution<float> width(1, 40), offset(-0.5f, 0.5f);
+            const SampleConstants constants{
+                {160, 90}, {width(random), width(random)}, {offset(random), offset(random)}};
+            CommandList commands(TestDevice());
+            const TexelWords sums = table.Record(commands, codes.Words());
+            commands.Draw({.name = "sample",
+                           .pipeline = pipeline,
+                           .reads = {{"table", sums.low}, {"tableHigh", sums.high}},
+                           .writes = {&result},
+                           .constants = ConstantBytes(constants)});
+            commands.SubmitAndWait();
+            const Texels sampled = Download(result);
+            for (const glm::ivec2 at : PlacesIn(image)) {
+                // The centre as the shader gets it, rounded to float.
+                const double x = static_cast<float>(at.x) + 0.5f + constants.offsetTexels.x;
+                const double y = static_cast<float>(at.y) + 0.5f + constants.offsetTexels.y;
+                const glm::dvec4 expected =
+                    reference::FilterMean(reference, static_cast<int>(order), x, y, constants.sizeTexels.x,
+                                          constants.sizeTexels.y, Border::Clip);
+                for (int c = 0; c < 4; c++)
+                    ASSERT_NEAR(sampled[at.y * 160 + at.x][c] / 65535, expected[c] / 65535, 1e-5)
+                        << "order " << order << ", width " << constants.sizeTexels.x << " x "
+                        << constants.sizeTexels.y << " round " << x << ", " << y;
+            }
+        }
+    }
+}
+
+TEST(ExactFilter, NegativeHalfFloatsKeepTheirSign) {
+    const Extent2D extent{30, 20};
+    const auto image = RandomCodeImage(extent, 43, -kHalfLargest, kHalfLargest);
+    const auto reference = ToDouble(image);
+    for (const glm::vec2 size : {glm::vec2(3), glm::vec2(4.5f)}) {
+        const Texels blurred = BlurCodes(
+            image, {.precision = SATPrecision::U64, .codes = {0x1p24f, static_cast<double>(kHalfLargest), true}},
+            SATWidths(size));
+        for (const glm::ivec2 at : PlacesIn(image)) {
+            const glm::dvec4 expected =
+                reference::FilterMean(reference, 1, at.x + 0.5, at.y + 0.5, size.x, size.y, Border::Clip);
+            for (int c = 0; c < 4; c++)
+                ASSERT_NEAR(blurred[at.y * 30 + at.x][c], expected[c] * 0x1p-24, 65504 * 1e-6);
+        }
+    }
+}
+
+TEST(ExactFilter, DiscsAreTheMeanOverTheirRectangles) {
+    const Extent2D extent{40, 33};
+    const auto image = RandomCodeImage(extent, 44, 0, 255);
+    const auto reference = ToDouble(image);
+    for (const EdgePair edge : kEdges) {
+        for (const uint32_t boxes : {1u, 5u, 16u}) {
+            for (const float diameter : {1.0f, 6.5f, 21.0f, 100.0f}) {
+                const BlurDesc desc{
+                    .precision = SATPrecision::U32, .boxes = boxes, .edge = edge.ours, .codes = {255, 255, false}};
+                const Texels exact = BlurCodes(image, desc, SATWidths(glm::vec2(diameter)));
+                for (const glm::ivec2 at : PlacesIn(image)) {
+                    // One box is the box itself, as wide as the disc at its middle.
+                    const glm::dvec4 expected = reference::DiscMean(reference, at.x + 0.5, at.y + 0.5, diameter,
+                                                                    static_cast<int>(boxes), edge.theirs);
+                    for (int c = 0; c < 4; c++)
+                        ASSERT_NEAR(exact[at.y * 40 + at.x][c], expected[c] / 255, 1e-5)
+                            << boxes << " boxes, diameter " << diameter << " at " << at.x << ", " << at.y;
+                }
+            }
+        }
+    }
+}
+
+TEST(ExactFilter, AMapGivesEachTexelItsOwnWidth) {
+    const Extent2D extent{31, 24};
+    const auto image = RandomCodeImage(extent, 45, 0, 255);
+    const auto reference = ToDouble(image);
+    Texels widths;
+    std::mt19937 random(46);
+    for (uint64_t i = 0; i < extent.Texels(); i++)
+        widths.emplace_back(static_cast<float>(random() % 256) / 255, 0, 0, 0);
+    const Image map = Upload(extent, widths);
+    for (uint32_t order = 1; order <= 3; order++) {
+        const Texels blurred =
+            BlurCodes(image, {.precision = SATPrecision::U64, .order = order, .codes = {255, 255, false}},
+                      SATWidths(map, {1, 2}, {9, 20}));
+        for (const glm::ivec2 at : PlacesIn(image)) {
+            const size_t i = static_cast<size_t>(at.y * 31 + at.x);
+            const double t = widths[i].x;
+            const glm::dvec4 expected = reference::FilterMean(reference, static_cast<int>(order), at.x + 0.5,
+                                                              at.y + 0.5, 1 + 8 * t, 2 + 18 * t, Border::Clip);
+            for (int c = 0; c < 4; c++)
+                ASSERT_NEAR(blurred[i][c], expected[c] / 255, 2e-5) << "order " << order << " at " << at.x;
+        }
+    }
+}
+
+TEST(ExactFilter, TexelsOfAMapThatAreTooWideAreMarkedAndNoOthers) {
+    const Extent2D extent{256, 1};
+    const auto image = RandomCodeImage(extent, 47, 0, 65535);
+    Texels widths;
+    for (int x = 0; x < 256; x++)
+        widths.emplace_back(static_cast<float>(x) / 255, 0, 0, 0);
+    const Image map = Upload(extent, widths);
+    const Texels blurred = BlurCodes(image, {.precision = SATPrecision::U32, .codes = {65535, 65535, false}},
+                                     SATWidths(map, {1, 256}, {511, 256}));
+    for (int x = 0; x < 256; x++)
+        EXPECT_EQ(std::isnan(blurred[static_cast<size_t>(x)].x), 1 + 2 * x > 256) << "width " << 1 + 2 * x;
+}
+
+TEST(ExactFilter, AWidthThatMayNotFitIsRefusedWithTheLargestThatDoes) {
+    const Extent2D extent{8, 8};
+    const auto image = RandomCodeImage(extent, 48, 0, 255);
+    EXPECT_ERROR(BlurCodes(image, {.precision = SATPrecision::U32, .order = 2, .codes = {255, 255, false}},
+                           SATWidths(glm::vec2(65))),
+                 "a tent of 65 x 65 texels over codes up to 255 may not fit into 32 bits: U32 holds widths up to 64");
+    EXPECT_NO_THROW(BlurCodes(image, {.precision = SATPrecision::U32, .order = 2, .codes = {255, 255, false}},
+                              SATWidths(glm::vec2(64))));
+}
+
+// The widest kernels over white, where every sum is as large as it can be.
+TEST(ExactFilter, WhiteStaysWhiteUnderTheWidestKernels) {
+    for (const SATPrecision precision : kExact) {
+        for (uint32_t order = 2; order <= 3; order++) {
+            const SATCodes codes{255, 255, false};
+            uint32_t width = SATLargestWidthTexels(precision, codes, order);
+            if (order == 3) width = std::min((width - 1) / 2 * 2 + 1, 201u);
+            width = std::min(width, 400u);
+            const uint32_t side = order * width + 9;
+            reference::CodeImage white{static_cast<int>(side), static_cast<int>(side), {}};
+            white.texels.assign(size_t{side} * side, {255, 255, 0, 255});
+            for (const float w : {static_cast<float>(width), static_cast<float>(width) * 0.625f}) {
+                if (!SATBoxIsExact(glm::vec2(w), static_cast<int>(order), SATLargestMass(precision, codes))) continue;
+                const Texels blurred = BlurCodes(white, {.precision = precision, .order = order, .codes = codes},
+                                                 SATWidths(glm::vec2(w)));
+                for (const uint32_t at : {0u, 1u, side / 2, side - 1})
+                    EXPECT_NEAR(blurred[size_t{at} * side + side / 2].x, 1, 2e-6) << "order " << order << ", " << w;
+            }
+        }
+    }
+}
+
+TEST(SATRange, TheLargestWholeWidthsOverEightBitWhiteAreThoseOfTheBound) {
+    const SATCodes codes{255, 255, false};
+    EXPECT_EQ(SATLargestWidthTexels(SATPrecision::U32, codes, 1), 4104u);
+    EXPECT_EQ(SATLargestWidthTexels(SATPrecision::U64, codes, 2), 16400u);
+    const float mass32 = SATLargestMass(SATPrecision::U32, codes), mass64 = SATLargestMass(SATPrecision::U64, codes);
+    EXPECT_TRUE(SATBoxIsExact(float2(64), 2, mass32));
+    EXPECT_FALSE(SATBoxIsExact(float2(65), 2, mass32));
+    EXPECT_TRUE(SATBoxIsExact(float2(15), 3, mass32));
+    EXPECT_FALSE(SATBoxIsExact(float2(17), 3, mass32));
+    EXPECT_TRUE(SATBoxIsExact(float2(645), 3, mass64));
+    EXPECT_FALSE(SATBoxIsExact(float2(647), 3, mass64));
+    const SATCodes light{65535, 65535, false};
+    EXPECT_EQ(SATLargestWidthTexels(SATPrecision::U32, light, 1), 256u);
+}
+
+// Whatever it calls exact fits, in exact arithmetic.
+TEST(SATRange, IsNeverTrueWhereTheSumMayNotFit) {
+    std::mt19937 random(49);
+    for (int i = 0; i < 200000; i++) {
+        const int width = 1 + static_cast<int>(random() % 20000), height = 1 + static_cast<int>(random() % 20000);
+        const int order = 1 + static_cast<int>(random() % 3);
+        const double largest = 1 + static_cast<double>(random() % 65535);
+        __int128 mass = 1;
+        bool fits = true;
+        for (int n = 0; n < order && fits; n++) {
+            mass *= static_cast<__int128>(width) * height;
+            fits = mass <= static_cast<__int128>(1) << 90;
+        }
+        for (const SATPrecision precision : kExact) {
+            const SATCodes codes{1, largest, false};
+            if (!SATBoxIsExact(float2(width, height), order, SATLargestMass(precision, codes))) continue;
+            ASSERT_TRUE(fits && mass * static_cast<__int128>(largest) >> (32 * WordsOf(precision)) == 0)
+                << width << " x " << height << ", order " << order << ", codes to " << largest;
+        }
+    }
+}
+
+TEST(SATGaussian, ErrorsAndWidthsAreThoseOfTheBestKernels) {
+    for (const float error : {0.53f, 0.098f, 0.042f}) {
+        const SATGaussian gaussian = SATGaussianWithin(error);
+        const auto distance = [&](double width) {
+            return reference::RelativeL2ToGaussian(static_cast<int>(gaussian.order), width);
+        };
+        EXPECT_LE(distance(gaussian.widthOverSigma), gaussian.relativeError);
+        EXPECT_GT(distance(gaussian.widthOverSigma), gaussian.relativeError - 0.002);
+        EXPECT_GT(distance(gaussian.widthOverSigma * 1.01), distance(gaussian.widthOverSigma));
+        EXPECT_GT(distance(gaussian.widthOverSigma * 0.99), distance(gaussian.widthOverSigma));
+    }
+    EXPECT_ERROR(SATGaussianWithin(0.03f),
+                 "a Gaussian within 3 %: the nearest kernel, the parabolic one, is within 4.2 %");
+}
+
+// On the device: the picture of one bright texel, against the Gaussian integrated over texels.
+TEST(SATGaussian, AnImpulseComesOutAsAGaussianOfUnitSumWithinTheError) {
+    constexpr int kSide = 121;
+    constexpr double kSigma = 8;
+    reference::CodeImage impulse{kSide, kSide, {}};
+    impulse.texels.assign(kSide * kSide, {0, 0, 0, 0});
+    impulse.texels[60 * kSide + 60] = {65535, 0, 0, 0};
+    for (const double allowed : {0.10, 0.045}) {
+        const SATGaussian gaussian = SATGaussianWithin(static_cast<float>(allowed));
+        const Texels blurred = BlurCodes(
+            impulse, {.precision = SATPrecision::U64, .order = gaussian.order, .codes = {65535, 65535, false}},
+            SATWidths(glm::vec2(gaussian.widthOverSigma * static_cast<float>(kSigma))));
+        double sum = 0, distance = 0, norm = 0;
+        for (int y = 0; y < kSide; y++)
+            for (int x = 0; x < kSide; x++) {
+                const auto axis = [&](int at) {
+                    const double edge = (at - 60 - 0.5) / (kSigma * std::sqrt(2.0));
+                    return 0.5 * (std::erf(edge + 1 / (kSigma * std::sqrt(2.0))) - std::erf(edge));
+                };
+                const double expected = axis(x) * axis(y), actual = blurred[static_cast<size_t>(y * kSide + x)].x;
+                sum += actual;
+                distance += (actual - expected) * (actual - expected);
+                norm += expected * expected;
+            }
+        EXPECT_NEAR(sum, 1, 1e-5);
+        EXPECT_LE(std::sqrt(distance / norm), allowed) << "order " << gaussian.order;
+    }
+}
+
+}  // namespace
+}  // namespace boxcar
