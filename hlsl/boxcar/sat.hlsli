@@ -71,7 +71,7 @@ SATBox SATBoxAt(float2 centreTexels, float2 sizeTexels)
 //   boxes           1 at least
 //   index           0 <= index < boxes
 //
-// Cost: that of a box for each. Area: 2.3 % more than the disc's for 8 boxes, 0.8 % for 16 (SatRange.DiscBoxes).
+// Cost: that of a box for each. Area: 1.3 % more than the disc's for 8 boxes, 0.5 % for 16 (SATFilter.TheBoxesOfADiscHaveAlmostItsArea).
 SATBox SATDiscBox(float2 centreTexels, float2 diameterTexels, int boxes, int index)
 {
     float heightTexels = diameterTexels.y / boxes;
@@ -80,12 +80,19 @@ SATBox SATDiscBox(float2 centreTexels, float2 diameterTexels, int boxes, int ind
     return SATBoxAt(centreTexels + float2(0.0, 0.5 * middle * diameterTexels.y), float2(widthTexels, heightTexels));
 }
 
-// SATClipBox: the part of a box that lies inside the image; all of it where the image goes on (REPEAT, MIRROR).
+// SATClipBox: the part of a box that lies inside the image. Where the image goes on (REPEAT, MIRROR) it is all of the box,
+// moved by whole periods to where the image is: sums stay as small as they can be.
 SATBox SATClipBox(SATFrame frame, SATBox box)
 {
-    if (frame.edge >= SAT_EDGE_REPEAT)
-        return box;
     SATBox inside;
+    if (frame.edge >= SAT_EDGE_REPEAT)
+    {
+        float2 periodTexels = (frame.edge == SAT_EDGE_MIRROR ? 2.0 : 1.0) * float2(frame.extentTexels);
+        float2 shiftTexels = periodTexels * floor(box.loTexels / periodTexels);
+        inside.loTexels = box.loTexels - shiftTexels;
+        inside.hiTexels = box.hiTexels - shiftTexels;
+        return inside;
+    }
     inside.loTexels = clamp(box.loTexels, 0.0, float2(frame.extentTexels));
     inside.hiTexels = clamp(box.hiTexels, 0.0, float2(frame.extentTexels));
     return inside;
@@ -243,7 +250,7 @@ float4 SATSampleBoxRepeat(Texture2D<float4> table, int2 extentTexels, float2 uv,
 {
     SATFrame frame = SATFrameAtCorner(extentTexels, SAT_EDGE_REPEAT);
     SATBox box = SATBoxAt(TexelUvToEdge(uv, extentTexels), max(sizeTexels, 1.0));
-    return SATSumBox(table, frame, box) / SATBoxArea(box);
+    return SATSumBox(table, frame, SATClipBox(frame, box)) / SATBoxArea(box);
 }
 
 #endif

@@ -181,22 +181,24 @@ float4 SATSumBox(SATExactTable table, SATFrame frame, SATBox box)
 {
     SATStretches x = SATStretchesOf(box.loTexels.x, box.hiTexels.x);
     SATStretches y = SATStretchesOf(box.loTexels.y, box.hiTexels.y);
+    SATWide zero = SATWideOf(uint4(0u, 0u, 0u, 0u), uint4(0u, 0u, 0u, 0u));
+    SATWide above[4] = { zero, zero, zero, zero };
     float4 sum = (float4)0;
-    SATWide above[3];
-    [unroll]
+    // Loops that stay loops: drivers are slow to compile sixteen copies of a corner.
+    [loop]
     for (int row = 0; row < 4; row++)
     {
-        SATWide left = SATLoadCorner(table, frame, int2(x.corner[0], y.corner[row]));
-        [unroll]
-        for (int column = 0; column < 3; column++)
+        SATWide left = zero;
+        [loop]
+        for (int column = 0; column < 4; column++)
         {
-            SATWide right = SATLoadCorner(table, frame, int2(x.corner[column + 1], y.corner[row]));
-            SATWide strip = SATWideSub(right, left);
-            if (row > 0)
-                sum += (x.weight[column] * y.weight[row - 1])
+            SATWide corner = SATLoadCorner(table, frame, int2(x.corner[column], y.corner[row]));
+            SATWide strip = SATWideSub(corner, left);  // of column - 1
+            if (row > 0 && column > 0)
+                sum += (x.weight[column - 1] * y.weight[row - 1])
                      * SATWideToFloat(SATWideSub(strip, above[column]), table.words, table.isSigned);
             above[column] = strip;
-            left = right;
+            left = corner;
         }
     }
     return sum;

@@ -8,7 +8,7 @@
 // Tables of floats have no digits left for this; integers modulo 2^32 or 2^64 do it exactly (sat_exact.hlsli).
 //
 //   SATSumWhole      whole W on whole texels: (n + 1)^2 loads a word, exact
-//   SATSumOrder      any W about any point, n = 2, 3: 81 and 256 loads a word
+//   SATSumOrder      any W about any point, n = 2, 3: 121 and 361 loads a word
 //   SATMassFull, SATMassWhole, SATMassOrder    what the kernel's weights add up to on one axis, inside the image
 //
 // A whole W that SATSumWhole can take is the box of W texels taken n times over texels. SATSumOrder is the integral of
@@ -170,11 +170,19 @@ SATKnots SATKnotsOf(int order, float centreTexels, float widthTexels)
     return k;
 }
 
-// SATKnotEntry: entry number t, 0 <= t < (order + 1)^2: its index and its weight.
-int SATKnotEntry(SATKnots k, int t, out float weight)
+// One of them.
+struct SATKnot
 {
-    int knot = t / (k.order + 1);
-    int i = t - knot * (k.order + 1);
+    int entry;
+    float weight;
+    int3 fromBase;  // what the base's entries make of it when they are continued (SATContinue)
+};
+
+// SATKnotOf: number t of an axis: the base's entries for 0 <= t < order, then the (order + 1)^2 that are weighted.
+SATKnot SATKnotOf(SATKnots k, int t)
+{
+    int knot = (t - k.order) / (k.order + 1);
+    int i = t - k.order - knot * (k.order + 1);
     float at = k.centre + (0.5 * k.order - knot) * k.width;
     float f = at - floor(at);
     float g = 1.0 - f;
@@ -182,18 +190,12 @@ int SATKnotEntry(SATKnots k, int t, out float weight)
         ? float4(0.5 * g * g, 0.5 + f * g, 0.5 * f * f, 0.0)
         : float4(g * g * g / 6.0, (3.0 * f * f * f - 6.0 * f * f + 4.0) / 6.0,
                  (3.0 * g * g * g - 6.0 * g * g + 4.0) / 6.0, f * f * f / 6.0);
-    weight = spline[i] * SATBinomial(k.order, knot);
-    return k.origin + int(floor(at)) - k.order + i;
-}
-
-// SATLessBase: an entry less what the entries at the base make of it when they are continued.
-SATWide SATLessBase(SATWide entry, int order, int3 weight, SATWide base0, SATWide base1, SATWide base2)
-{
-    entry = SATWideSub(entry, SATWideScale(base0, weight.x));
-    entry = SATWideSub(entry, SATWideScale(base1, weight.y));
-    if (order == 3)
-        entry = SATWideSub(entry, SATWideScale(base2, weight.z));
-    return entry;
+    bool isBase = t < k.order;
+    SATKnot r;
+    r.entry = isBase ? k.base - t : k.origin + int(floor(at)) - k.order + i;
+    r.weight = isBase ? 0.0 : spline[max(i, 0)] * SATBinomial(k.order, knot);
+    r.fromBase = SATContinue(k.order, r.entry - k.base);
+    return r;
 }
 
 // SATSumOrder: the sum of codes under a tent or a parabolic filter of any width about any point.
@@ -210,51 +212,53 @@ SATWide SATLessBase(SATWide entry, int order, int3 weight, SATWide base0, SATWid
 // negative, no larger than twice the result: they fit into the words (SATBoxIsExact) and into float's digits.
 //
 // Error:  1e-5 of the largest code's filtered value (SATFilter.TentAndParabolicAreTheAnalyticFilter).
-// Cost:   81 loads a word (order 2), 304 (order 3); more at the right and bottom rim (SATLoadOrder).
+// Cost:   121 loads a word (order 2), 361 (order 3); more at the right and bottom rim (SATLoadOrder).
 float4 SATSumOrder(SATExactTable table, int2 extentTexels, int order, float2 centreTexels, float2 sizeTexels)
 {
     SATKnots kx = SATKnotsOf(order, centreTexels.x, sizeTexels.x);
     SATKnots ky = SATKnotsOf(order, centreTexels.y, sizeTexels.y);
-    int count = (order + 1) * (order + 1);
-    int2 base = int2(kx.base, ky.base);
-    float unused;
+    int last = order + (order + 1) * (order + 1);
 
-    // The columns that are read, in the rows at the base: each entry starts at the middle on x already.
-    SATWide rows[48];
-    int x, y, r;
-    for (r = 0; r < order; r++)
-    {
-        SATWide base0 = SATLoadOrder(table, extentTexels, order, base - int2(0, r));
-        SATWide base1 = SATLoadOrder(table, extentTexels, order, base - int2(1, r));
-        SATWide base2 = SATLoadOrder(table, extentTexels, order, base - int2(2, r));
-        for (x = 0; x < count; x++)
-        {
-            int column = SATKnotEntry(kx, x, unused);
-            rows[3 * x + r] = SATLessBase(SATLoadOrder(table, extentTexels, order, int2(column, base.y - r)), order,
-                                          SATContinue(order, column - base.x), base0, base1, base2);
-        }
-    }
-
+    // Columns and rows 0 .. order - 1 are those at the base, the others the kernel's. Of each row its entries at the base
+    // are kept, and of the rows at the base all that the kernel reads. Loops stay loops: drivers are slow to compile
+    // hundreds of copies.
+    SATWide baseRows[48];
+    SATWide baseColumn[3];
     float4 sum = (float4)0;
-    for (y = 0; y < count; y++)
+    [loop]
+    for (int y = 0; y < last; y++)
     {
-        float weightY;
-        int row = SATKnotEntry(ky, y, weightY);
-        int3 fromBase = SATContinue(order, row - base.y);
-        SATWide base0 = SATLoadOrder(table, extentTexels, order, int2(base.x, row));
-        SATWide base1 = SATLoadOrder(table, extentTexels, order, int2(base.x - 1, row));
-        SATWide base2 = SATLoadOrder(table, extentTexels, order, int2(base.x - 2, row));
+        SATKnot row = SATKnotOf(ky, y);
         float4 rowSum = (float4)0;
-        for (x = 0; x < count; x++)
+        [loop]
+        for (int x = 0; x < last; x++)
         {
-            float weightX;
-            int column = SATKnotEntry(kx, x, weightX);
-            SATWide entry = SATLessBase(SATLoadOrder(table, extentTexels, order, int2(column, row)), order,
-                                        SATContinue(order, column - base.x), base0, base1, base2);
-            entry = SATLessBase(entry, order, fromBase, rows[3 * x], rows[3 * x + 1], rows[3 * x + 2]);
-            rowSum += weightX * SATWideToFloat(entry, table.words, true);
+            SATKnot column = SATKnotOf(kx, x);
+            SATWide entry = SATLoadOrder(table, extentTexels, order, int2(column.entry, row.entry));
+            if (x < order)
+            {
+                baseColumn[x] = entry;
+            }
+            else
+            {
+                int first = order * (x - order);
+                [unroll]
+                for (int i = 0; i < order; i++)
+                    entry = SATWideSub(entry, SATWideScale(baseColumn[i], column.fromBase[i]));
+                if (y < order)
+                {
+                    baseRows[first + y] = entry;
+                }
+                else
+                {
+                    [unroll]
+                    for (int j = 0; j < order; j++)
+                        entry = SATWideSub(entry, SATWideScale(baseRows[first + j], row.fromBase[j]));
+                    rowSum += column.weight * SATWideToFloat(entry, table.words, true);
+                }
+            }
         }
-        sum += weightY * rowSum;
+        sum += row.weight * rowSum;
     }
     return sum;
 }

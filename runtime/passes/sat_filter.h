@@ -84,7 +84,7 @@ public:
     // Throws Error: one width, and it is too large for exact sums; the line names the largest that is not.
     //
     // Cost a texel, in loads a word: boxes 16, of odd whole width in integers 4; tent 9, parabolic of odd width 16;
-    // tents of other widths 81, parabolic ones 304.
+    // tents of other widths 121, parabolic ones 361.
     const Image& Record(CommandList& commands, TexelWords table, const SATWidths& widths,
                         const Image* bias = nullptr);
 

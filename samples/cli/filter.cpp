@@ -182,7 +182,7 @@ Stats Filter(Device& device, const Job& job, const FilterOptions& options) {
                                                        : BlurBias::Mean;
     }
 
-    Stats stats{.input = job.input, .output = job.output, .extent = extent};
+    Stats stats{.input = job.input, .output = job.output, .extent = extent, .passes = {}};
     std::vector<glm::vec4> texels;
     if (isFloat) texels = ToLight(picture, transfer);
     // The box of one texel is the texel: no table, and so none of its rounding.

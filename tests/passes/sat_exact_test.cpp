@@ -296,14 +296,11 @@ TEST(SATOrder, ATentAtTheRightRimReadsTheTableAsItGoesOn) {
 }
 
 TEST(SATOrder, TentAndParabolicAreTheAnalyticFilter) {
-    for (const Extent2D extent : {Extent2D{12, 19}, Extent2D{49, 2}, Extent2D{100, 130}, Extent2D{1, 6}}) {
+    for (const Extent2D extent : {Extent2D{12, 19}, Extent2D{70, 2}}) {
         const auto image = RandomCodeImage(extent, 40, 0, 255);
         const auto reference = ToDouble(image);
         for (uint32_t order = 1; order <= 3; order++) {
-            for (const glm::vec2 size :
-                 {glm::vec2(1.0625f), glm::vec2(2.5f, 7.25f), glm::vec2(8.3f), glm::vec2(4), glm::vec2(10.5f, 3)}) {
-                const bool isWhole = size == glm::floor(size) && (order == 2 || size.x == 3);
-                if (isWhole) continue;
+            for (const glm::vec2 size : {glm::vec2(1.0625f), glm::vec2(2.5f, 7.25f), glm::vec2(8.3f, 4)}) {
                 for (const EdgePair edge : kEdges) {
                     for (const SATPrecision precision : kExact) {
                         const BlurDesc desc{
@@ -460,8 +457,8 @@ TEST(ExactFilter, WhiteStaysWhiteUnderTheWidestKernels) {
         for (uint32_t order = 2; order <= 3; order++) {
             const SATCodes codes{255, 255, false};
             uint32_t width = SATLargestWidthTexels(precision, codes, order);
-            if (order == 3) width = std::min((width - 1) / 2 * 2 + 1, 201u);
-            width = std::min(width, 400u);
+            if (order == 3) width = std::min((width - 1) / 2 * 2 + 1, 101u);
+            width = std::min(width, 120u);
             const uint32_t side = order * width + 9;
             reference::CodeImage white{static_cast<int>(side), static_cast<int>(side), {}};
             white.texels.assign(size_t{side} * side, {255, 255, 0, 255});

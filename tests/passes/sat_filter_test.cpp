@@ -4,14 +4,18 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "passes_shaders.h"
 #include "runtime/passes/summed_area_table.h"
 #include "samples/effects/blur.h"
 #include "test_support_shaders.h"
 #include "tests/hlsl/test_constants.h"
+#include "tests/reference/order.h"
 #include "tests/support/device_image.h"
+#include "tests/support/expect_error.h"
 
 namespace boxcar {
 namespace {
@@ -237,6 +241,212 @@ TEST(SATSampleBox, AgreesWithTheDefinitionAtAnyCentre) {
             }
         }
     }
+}
+
+// Over 5 periods and more, left of the picture and right of it. The bound's S is that of all the periods the box
+// reaches.
+TEST(SATFilter, RepeatedAndMirroredPicturesAreTheTiledOnes) {
+    for (const Extent2D extent : {Extent2D{1, 1}, Extent2D{5, 7}, Extent2D{12, 19}, Extent2D{49, 2}}) {
+        const Texels source = RandomValues(extent, 18);
+        const auto reference = ToDouble(extent, source);
+        for (const auto& [ours, theirs] : {std::pair(SATEdge::Repeat, reference::Border::Repeat),
+                                           std::pair(SATEdge::Mirror, reference::Border::Mirror)}) {
+            for (const glm::vec2 size : {glm::vec2(1), glm::vec2(3.5f, 8), glm::vec2(60, 2.25f), glm::vec2(101)}) {
+                const Texels blurred = BlurOnDevice(extent, source, size, ours);
+                const double periods = (size.x / extent.widthTexels + 2) * (size.y / extent.heightTexels + 2);
+                const double bound =
+                    ErrorBound(extent, periods * static_cast<double>(extent.Texels()), size.x * size.y);
+                for (const glm::ivec2 at : PlacesIn(extent)) {
+                    const glm::dvec4 expected =
+                        reference::FilterMean(reference, 1, at.x + 0.5, at.y + 0.5, size.x, size.y, theirs);
+                    for (int c = 0; c < 4; c++)
+                        ASSERT_NEAR(blurred[at.y * extent.widthTexels + at.x][c], expected[c], bound)
+                            << extent.widthTexels << " x " << extent.heightTexels << ", box " << size.x << " x "
+                            << size.y << " round " << at.x << ", " << at.y;
+                }
+            }
+        }
+    }
+}
+
+// By uv far outside [0, 1].
+TEST(SATSampleBox, RepeatTakesAnyUv) {
+    const Extent2D extent{12, 19};
+    const Texels source = RandomCodes(extent, 19);
+    const auto reference = ToDouble(extent, source);
+    const Pipeline pipeline(TestDevice(),
+                            {passes_shaders::Find("shaders/quad.vs"),
+                             test_support_shaders::Find("shaders/sat_sample_box.ps.SAMPLE=SATSampleBoxRepeat")});
+    const Image result(TestDevice(), {extent, Format::RGBA32F, "sampled"});
+    SummedAreaTable table(TestDevice(), {.extent = extent});
+    for (const glm::vec2 offset : {glm::vec2(0), glm::vec2(-66, 3), glm::vec2(1234, -987)}) {
+        const SampleConstants constants{{12, 19}, {7, 50}, offset};
+        const Texels sampled =
+            RunOnDevice(extent, source, [&](CommandList& commands, const Image& image) -> const Image& {
+                commands.Draw({.name = "sample",
+                               .pipeline = pipeline,
+                               .reads = {{"table", table.Record(commands, image).low}},
+                               .writes = {&result},
+                               .constants = ConstantBytes(constants)});
+                return result;
+            });
+        for (const glm::ivec2 at : PlacesIn(extent)) {
+            const glm::dvec4 expected = reference::FilterMean(
+                reference, 1, at.x + 0.5 + offset.x, at.y + 0.5 + offset.y, 7, 50, reference::Border::Repeat);
+            for (int c = 0; c < 4; c++)  // a uv of 100 is rounded by 4e-6, 1e-4 texels
+                ASSERT_NEAR(sampled[at.y * 12 + at.x][c], expected[c], 255 * 2e-4) << at.x << ", " << at.y;
+        }
+    }
+}
+
+TEST(SATFilter, SumsFromAnywhereGiveTheSameMeans) {
+    for (const Extent2D extent : kExtents) {
+        const Texels source = RandomValues(extent, 20);
+        const auto reference = ToDouble(extent, source);
+        for (const SATOrigin origin : {SATOrigin::Center, SATOrigin::LowerLeft}) {
+            for (const EdgePair edge : kEdges) {
+                for (const glm::vec2 size : {glm::vec2(1), glm::vec2(3, 17.5f), glm::vec2(33)}) {
+                    SummedAreaTable table(TestDevice(), {.extent = extent, .origin = origin});
+                    SATFilter filter(TestDevice(), {.extent = extent, .edge = edge.ours, .origin = origin});
+                    const Texels blurred =
+                        RunOnDevice(extent, source, [&](CommandList& commands, const Image& image) -> const Image& {
+                            return filter.Record(commands, table.Record(commands, image), size);
+                        });
+                    for (const glm::ivec2 at : PlacesIn(extent)) {
+                        const glm::dvec4 expected =
+                            reference::BoxMean(reference, at.x + 0.5, at.y + 0.5, size.x, size.y, edge.theirs);
+                        const double area = std::max(1.0, std::min<double>(size.x, extent.widthTexels) / 2) *
+                                            std::max(1.0, std::min<double>(size.y, extent.heightTexels) / 2);
+                        for (int c = 0; c < 4; c++)
+                            ASSERT_NEAR(blurred[at.y * extent.widthTexels + at.x][c], expected[c],
+                                        ErrorBound(extent, static_cast<double>(extent.Texels()), area))
+                                << extent.widthTexels << " x " << extent.heightTexels << ", box " << size.x << " x "
+                                << size.y << " round " << at.x << ", " << at.y;
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST(SATFilter, DiscsAndMapsWorkOnFloatsToo) {
+    const Extent2D extent{40, 33};
+    const Texels source = RandomCodes(extent, 22);
+    const auto reference = ToDouble(extent, source);
+    Texels widths;
+    for (uint64_t i = 0; i < extent.Texels(); i++)
+        widths.emplace_back(static_cast<float>(i % 40) / 39, 0, 0, 0);
+    const Image map = Upload(extent, widths);
+    SummedAreaTable table(TestDevice(), {.extent = extent});
+    for (const EdgePair edge : kEdges) {
+        SATFilter filter(TestDevice(), {.extent = extent, .boxes = 7, .edge = edge.ours});
+        const Texels blurred =
+            RunOnDevice(extent, source, [&](CommandList& commands, const Image& image) -> const Image& {
+                return filter.Record(commands, table.Record(commands, image), SATWidths(map, {1, 1}, {21, 21}));
+            });
+        const auto border = edge.ours == SATEdge::Clip ? reference::Border::Clip : reference::Border::Zero;
+        for (const glm::ivec2 at : PlacesIn(extent)) {
+            const glm::dvec4 expected =
+                reference::DiscMean(reference, at.x + 0.5, at.y + 0.5, 1 + 20.0 * at.x / 39, 7, border);
+            for (int c = 0; c < 4; c++)
+                ASSERT_NEAR(blurred[at.y * 40 + at.x][c], expected[c], 255 * 2e-5) << at.x << ", " << at.y;
+        }
+    }
+}
+
+// hlsl/boxcar/sat.hlsli says how much larger than the disc its boxes are.
+TEST(SATFilter, TheBoxesOfADiscHaveAlmostItsArea) {
+    const auto excess = [](int boxes) {
+        double area = 0;
+        for (int k = 0; k < boxes; k++) {
+            const double middle = (2 * k + 1.0) / boxes - 1;
+            area += std::sqrt(1 - middle * middle) / boxes;
+        }
+        return area / (std::numbers::pi / 4) - 1;
+    };
+    EXPECT_NEAR(excess(8), 0.013, 5e-4);
+    EXPECT_NEAR(excess(16), 0.005, 5e-4);
+}
+
+// Properties that need no reference, under random draws.
+
+TEST(SATFilterProperty, AShiftedPictureGivesTheShiftedMeans) {
+    const Extent2D extent{60, 40};
+    std::mt19937 random(23);
+    for (int draw = 0; draw < 4; draw++) {
+        const int dx = static_cast<int>(random() % 60), dy = static_cast<int>(random() % 40);
+        const Texels source = RandomCodes(extent, 24 + static_cast<uint32_t>(draw));
+        Texels shifted(source.size());
+        for (int y = 0; y < 40; y++)
+            for (int x = 0; x < 60; x++)
+                shifted[static_cast<size_t>((y + dy) % 40 * 60 + (x + dx) % 60)] =
+                    source[static_cast<size_t>(y * 60 + x)];
+        const glm::vec2 size(glm::ivec2(1 + static_cast<int>(random() % 20), 1 + static_cast<int>(random() % 20)));
+        const Texels a = BlurOnDevice(extent, source, size, SATEdge::Repeat);
+        const Texels b = BlurOnDevice(extent, shifted, size, SATEdge::Repeat);
+        for (int y = 0; y < 40; y++)
+            for (int x = 0; x < 60; x++)
+                ASSERT_NEAR(b[static_cast<size_t>((y + dy) % 40 * 60 + (x + dx) % 60)].x,
+                            a[static_cast<size_t>(y * 60 + x)].x, 255 * 4e-7)
+                    << "moved by " << dx << ", " << dy;
+    }
+}
+
+TEST(SATFilterProperty, TheMeanOfASumIsTheSumOfTheMeans) {
+    const Extent2D extent{60, 40};
+    for (const SATEdge edge : {SATEdge::Clip, SATEdge::Zero, SATEdge::Repeat, SATEdge::Mirror}) {
+        const Texels a = RandomCodes(extent, 30), b = RandomCodes(extent, 31);
+        Texels both;
+        for (size_t i = 0; i < a.size(); i++)
+            both.push_back(2.0f * a[i] - b[i]);
+        const Texels meanA = BlurOnDevice(extent, a, {5, 9.5f}, edge),
+                     meanB = BlurOnDevice(extent, b, {5, 9.5f}, edge);
+        const Texels mean = BlurOnDevice(extent, both, {5, 9.5f}, edge);
+        for (size_t i = 0; i < a.size(); i++)
+            ASSERT_NEAR(mean[i].y, 2 * meanA[i].y - meanB[i].y, 255 * 2e-6) << "texel " << i;
+    }
+}
+
+// Where the picture goes on for ever, a filter moves light about and neither makes nor loses any.
+TEST(SATFilterProperty, RepeatedAndMirroredPicturesKeepTheirEnergy) {
+    const Extent2D extent{61, 40};
+    const Texels source = RandomCodes(extent, 32);
+    const auto energy = [](const Texels& texels) {
+        double sum = 0;
+        for (const glm::vec4& texel : texels)
+            sum += texel.z;
+        return sum;
+    };
+    for (const SATEdge edge : {SATEdge::Repeat, SATEdge::Mirror})
+        for (const glm::vec2 size : {glm::vec2(3, 5), glm::vec2(7.5f, 22), glm::vec2(130, 1)})
+            EXPECT_NEAR(energy(BlurOnDevice(extent, source, size, edge)) / energy(source), 1, 1e-6);
+}
+
+TEST(SATFilterProperty, AMirroredPictureGivesTheMirroredMeans) {
+    const Extent2D extent{45, 38};
+    const Texels source = RandomCodes(extent, 33);
+    Texels turned(source.rbegin(), source.rend());
+    for (const SATEdge edge : {SATEdge::Clip, SATEdge::Zero, SATEdge::Repeat, SATEdge::Mirror}) {
+        const Texels a = BlurOnDevice(extent, source, {9, 4.5f}, edge),
+                     b = BlurOnDevice(extent, turned, {9, 4.5f}, edge);
+        for (size_t i = 0; i < a.size(); i++)
+            ASSERT_NEAR(a[i].x, b[b.size() - 1 - i].x, 255 * 1e-6) << "texel " << i;
+    }
+}
+
+TEST(SATFilter, RefusesWhatItCannotDo) {
+    const Extent2D extent{4, 4};
+    EXPECT_ERROR(SATFilter(TestDevice(), {.extent = extent, .order = 2}),
+                 "order 2 in floats: tents and parabolic kernels need integers");
+    EXPECT_ERROR(SATFilter(TestDevice(), {.extent = extent, .precision = SATPrecision::U32, .order = 4}),
+                 "order 4: kernels are of order 1, 2 or 3");
+    EXPECT_ERROR(SATFilter(TestDevice(), {.extent = extent, .precision = SATPrecision::U32, .order = 2, .boxes = 3}),
+                 "a disc of 3 boxes is of order 1, not 2");
+    EXPECT_ERROR(SATFilter(TestDevice(), {.extent = extent, .edge = SATEdge::Repeat, .origin = SATOrigin::Center}),
+                 "integers and repeated images need sums that start at the upper left corner");
+    EXPECT_ERROR(SATFilter(TestDevice(),
+                           {.extent = extent, .precision = SATPrecision::U64, .order = 3, .edge = SATEdge::Mirror}),
+                 "order 3 over a repeated image: extend the image first (ExtendedImage)");
 }
 
 }  // namespace

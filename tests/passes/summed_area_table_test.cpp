@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "tests/support/device_image.h"
+#include "tests/support/expect_error.h"
 #include "tools/layout/error.h"
 
 namespace boxcar {
@@ -220,6 +221,67 @@ TEST(SummedAreaTable, LastEntryLessTheMeanIsZeroUpToRounding) {
         (TreeDepth(extent) + 1) * kUnit * magnitudes + kUnit * mean.x * static_cast<double>(source.size());
     EXPECT_LE(std::abs(table.back().x), bound);
     EXPECT_GT(TableOf(extent, source).back().x, 10000) << "without a bias it is the sum of 30,000 texels";
+}
+
+// F about the origin, from the definition: the sum between the origin's corner and the texel, both sides included.
+reference::DoubleImage TableAbout(const reference::DoubleImage& image, glm::ivec2 origin) {
+    reference::DoubleImage table = image;
+    const auto add = [&](int x, int y, int fromX, int fromY) {
+        table.texels[static_cast<size_t>(y) * image.width + x] += table.At(fromX, fromY);
+    };
+    for (int y = 0; y < image.height; y++) {
+        for (int x = origin.x + 1; x < image.width; x++)
+            add(x, y, x - 1, y);
+        for (int x = origin.x - 2; x >= 0; x--)
+            add(x, y, x + 1, y);
+    }
+    for (int x = 0; x < image.width; x++) {
+        for (int y = origin.y + 1; y < image.height; y++)
+            add(x, y, x, y - 1);
+        for (int y = origin.y - 2; y >= 0; y--)
+            add(x, y, x, y + 1);
+    }
+    return table;
+}
+
+TEST(SummedAreaTable, SumsFromTheMiddleAndFromTheLowerLeftAreExactOnWholeCodes) {
+    for (const Extent2D extent : kExtents) {
+        if (extent.Texels() > 256 * 256) continue;
+        const Texels source = RandomCodes(extent, 8);
+        for (const SATOrigin origin : {SATOrigin::Center, SATOrigin::LowerLeft}) {
+            const auto expected = TableAbout(ToDouble(extent, source), OriginTexels(origin, extent));
+            for (const uint32_t taps : kTaps) {
+                const Texels table = TableOf(extent, source, taps, TapAddressing::Integer, glm::vec4(0), origin);
+                size_t wrong = 0;
+                for (size_t i = 0; i < table.size(); i++)
+                    wrong += glm::dvec4(table[i]) != expected.texels[i];
+                EXPECT_EQ(wrong, 0u) << extent.widthTexels << " x " << extent.heightTexels << ", " << taps << " taps";
+            }
+        }
+    }
+}
+
+TEST(SummedAreaTable, SumsFromTheMiddleTakeOnePassLessWithTwoTaps) {
+    EXPECT_EQ(SummedAreaTable(TestDevice(), {.extent = {512, 512}, .taps = 2}).Passes(), 18u);
+    EXPECT_EQ(SummedAreaTable(TestDevice(), {.extent = {512, 512}, .taps = 2, .origin = SATOrigin::Center}).Passes(),
+              16u);
+}
+
+TEST(SummedAreaTable, RefusesAnOrderOfFloats) {
+    EXPECT_ERROR(SummedAreaTable(TestDevice(), {.extent = {4, 4}, .order = 2}),
+                 "order 2 in floats: they have too few digits for it; U32 and U64 hold it exactly");
+}
+
+// What the header documents, and what a device really holds.
+TEST(SummedAreaTable, TakesTheDocumentedMemory) {
+    const Extent2D extent{512, 256};
+    for (const SATPrecision precision : {SATPrecision::FP32, SATPrecision::U32, SATPrecision::U64}) {
+        const uint64_t before = TestDevice().MemoryBytes();
+        const SummedAreaTable table(TestDevice(), {.extent = extent, .precision = precision});
+        EXPECT_EQ(SummedAreaTableBytes(extent, precision),
+                  extent.Texels() * (precision == SATPrecision::U64 ? 64 : 32));
+        EXPECT_EQ(TestDevice().MemoryBytes() - before, SummedAreaTableBytes(extent, precision));
+    }
 }
 
 TEST(SummedAreaTable, RefusesTapsThatNoPassHas) {
