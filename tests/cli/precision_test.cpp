@@ -75,7 +75,8 @@ TEST(Precision, FloatPicturesAndLinearLightHaveNoWholeCodes) {
                  SampleType::Unorm8);
     for (const Json& result : Json::parse(folder.Run("precision in.exr --json").out).at(0).at("results"))
         EXPECT_NE(result.at("precision"), "u32");
-    // Linear light is rounded to 16 bits, which is an error of its own: one part in 65535 sqrt(12), or 107 dB below 1.
+    // Linear light is rounded to 16 bits, which is an error of its own: one part in 65535 sqrt(12), or 107 dB
+    // below 1.
     for (const Json& result :
          Json::parse(folder.Run("precision in.png --transfer srgb --json").out).at(0).at("results")) {
         EXPECT_NE(result.at("builder"), "blocks");
