@@ -124,7 +124,7 @@ TEST(PrecisionLaws, BlackAndWhiteLessHalfIsExact) {
 }
 
 // The last number below infinity is 65504, and 65520 already rounds to it: 256 x 256 texels reach that with a mean of
-// 0.99976, which among 8-bit codes only 255 has; 257 x 256 with 254 stay below, 258 x 256 do not.
+// 0.99976, which among 8-bit codes only 255 has; 257 x 256 texels of 254 do, too.
 TEST(PrecisionLaws, WhitePicturesOverflowAHalf) {
     const auto overflows = [](const Subject& subject, Bias bias = Bias::None, Origin origin = Origin::Corner) {
         Meter meter(TestDevice(), subject, {1});
@@ -134,7 +134,7 @@ TEST(PrecisionLaws, WhitePicturesOverflowAHalf) {
     };
     EXPECT_TRUE(overflows(Constant({256, 256}, 255)));
     EXPECT_FALSE(overflows(Constant({256, 256}, 254)));
-    EXPECT_TRUE(overflows(Constant({258, 256}, 254)));
+    EXPECT_TRUE(overflows(Constant({257, 256}, 254)));
     EXPECT_FALSE(overflows(Constant({256, 256}, 255), Bias::Half));
     EXPECT_FALSE(overflows(Constant({256, 256}, 255), Bias::None, Origin::Center));
     Meter meter(TestDevice(), Constant({256, 256}, 255));
