@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/ext/vector_int2.hpp>
+#include <glm/ext/vector_int4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
@@ -10,5 +11,6 @@ namespace boxcar {
 using float2 = glm::vec2;
 using float4 = glm::vec4;
 using int2 = glm::ivec2;
+using int4 = glm::ivec4;
 
 }  // namespace boxcar

@@ -39,7 +39,7 @@ struct Kernel {
     glm::vec2 maxTexels{1};
 };
 
-SATEdge Edge(const FilterOptions& options) {
+SATEdge EdgeOf(const FilterOptions& options) {
     const std::string& word = options.edgeWord;
     return word == "clip"     ? SATEdge::Clip
            : word == "zero"   ? SATEdge::Zero
@@ -79,9 +79,9 @@ Kernel ParseKernel(const FilterOptions& options) {
 
 void RequirePossible(const FilterOptions& options) {
     const Kernel kernel = ParseKernel(options);
-    const SATOrigin origin = Origin(options.table);
-    const SATEdge edge = Edge(options);
-    const auto precision = Precision(options.table);
+    const SATOrigin origin = OriginOf(options.table);
+    const SATEdge edge = EdgeOf(options);
+    const auto precision = PrecisionOf(options.table);
     RequireFloatOptionsFit(options.table);
     const bool integers = precision ? *precision != SATPrecision::FP32 : kernel.order > 1;
     if (kernel.order > 1 && !integers)
@@ -158,7 +158,7 @@ Stats Filter(Device& device, const Job& job, const FilterOptions& options) {
     const Extent2D extent{picture.widthTexels, picture.heightTexels};
 
     SATPrecision precision = SATPrecision::FP32;
-    if (const auto asked = Precision(options.table))
+    if (const auto asked = PrecisionOf(options.table))
         precision = *asked;
     else if (kernel.order > 1)
         precision = ExactPrecision(picture, job.input, transfer, kernel);
@@ -168,9 +168,9 @@ Stats Filter(Device& device, const Job& job, const FilterOptions& options) {
                   .precision = precision,
                   .order = kernel.order,
                   .boxes = kernel.boxes,
-                  .edge = Edge(options),
+                  .edge = EdgeOf(options),
                   .taps = Taps(options.read),
-                  .origin = Origin(options.table),
+                  .origin = OriginOf(options.table),
                   .largestTexels = glm::max(kernel.minTexels, kernel.maxTexels)};
     if (!isFloat) {
         desc.codes = CodesFor(picture, job.input, transfer, precision);

@@ -13,6 +13,7 @@
 #include "samples/cli/device_run.h"
 #include "samples/cli/gallery_page.h"
 #include "samples/cli/light.h"
+#include "samples/cli/precision/figures.h"
 #include "samples/effects/blur.h"
 #include "samples/effects/sat_verbatim_blur.h"
 #include "samples/files/bytes.h"
@@ -48,6 +49,7 @@ public:
     void EdgesOfThePicture();
     void LinearLightAndCodes();
     void HdrEnvironment();
+    void Precision() { AddPrecisionSections(m_device, m_folder, m_fruits.picture, m_sections); }
 
     const std::vector<GallerySection>& Sections() const { return m_sections; }
 
@@ -297,7 +299,8 @@ void MakeGallery(const std::string& folder, const DeviceOptions& deviceOptions) 
                                                 &Gallery::VerbatimAndCorrected,
                                                 &Gallery::EdgesOfThePicture,
                                                 &Gallery::LinearLightAndCodes,
-                                                &Gallery::HdrEnvironment};
+                                                &Gallery::HdrEnvironment,
+                                                &Gallery::Precision};
     const bool terminal = isatty(STDERR_FILENO);
     for (size_t i = 0; i < std::size(kSections); i++) {
         if (terminal) fmt::print(stderr, "\r[{}/{}]", i + 1, std::size(kSections));

@@ -39,11 +39,4 @@ Picture FromLight(const std::vector<glm::vec4>& texels, const Picture& like, Tra
     return picture;
 }
 
-glm::vec4 MeanTexel(const std::vector<glm::vec4>& texels) {
-    glm::dvec4 sum(0);
-    for (const glm::vec4& texel : texels)
-        sum += glm::dvec4(texel);
-    return glm::vec4(sum / static_cast<double>(texels.size()));
-}
-
 }  // namespace boxcar

@@ -18,7 +18,4 @@ std::vector<glm::vec4> ToLight(Picture picture, Transfer transfer);
 Picture FromLight(const std::vector<glm::vec4>& texels, const Picture& like, Transfer transfer,
                   SampleType sampleType);
 
-// The mean texel, summed in double.
-glm::vec4 MeanTexel(const std::vector<glm::vec4>& texels);
-
 }  // namespace boxcar

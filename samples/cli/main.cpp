@@ -1,6 +1,6 @@
 // boxcar: filters pictures with summed-area tables on a Vulkan device, headless.
 //
-//   boxcar filter | sat | gallery | devices
+//   boxcar filter | sat | precision | gallery | devices
 //
 // Exit codes: 0; 1 the work failed, in one line; 2 the command line is wrong, in one line.
 #include <fmt/format.h>
@@ -9,6 +9,7 @@
 #include "samples/cli/filter.h"
 #include "samples/cli/gallery.h"
 #include "samples/cli/options.h"
+#include "samples/cli/precision/precision.h"
 
 namespace {
 
@@ -26,6 +27,7 @@ int main(int argc, char** argv) {
     app.footer("Example:\n  boxcar filter photo.jpg -o blurred.png --width 9\n\nboxcar COMMAND --help says more.");
     boxcar::AddFilterCommand(app);
     boxcar::AddSatCommand(app);
+    boxcar::AddPrecisionCommand(app);
     boxcar::AddGalleryCommand(app);
     boxcar::AddDevicesCommand(app);
     try {

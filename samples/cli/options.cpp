@@ -102,14 +102,14 @@ void AddTableOptions(CLI::App& command, TableOptions& options, const std::string
         ->type_name("O");
 }
 
-std::optional<SATPrecision> Precision(const TableOptions& options) {
+std::optional<SATPrecision> PrecisionOf(const TableOptions& options) {
     if (options.precisionWord.empty()) return {};
     return options.precisionWord == "fp32"  ? SATPrecision::FP32
            : options.precisionWord == "u32" ? SATPrecision::U32
                                             : SATPrecision::U64;
 }
 
-SATOrigin Origin(const TableOptions& options) {
+SATOrigin OriginOf(const TableOptions& options) {
     return options.originWord == "corner"   ? SATOrigin::Corner
            : options.originWord == "center" ? SATOrigin::Center
                                             : SATOrigin::LowerLeft;

@@ -62,8 +62,8 @@ struct TableOptions {
 void AddTableOptions(CLI::App& command, TableOptions& options, const std::string& biasDefault,
                      const std::string& precisionDefault);
 
-std::optional<SATPrecision> Precision(const TableOptions& options);
-SATOrigin Origin(const TableOptions& options);
+std::optional<SATPrecision> PrecisionOf(const TableOptions& options);
+SATOrigin OriginOf(const TableOptions& options);
 
 // Throws UsageError: a bias, or sums from elsewhere than the corner, for integers.
 void RequireFloatOptionsFit(const TableOptions& options);

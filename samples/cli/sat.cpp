@@ -82,7 +82,7 @@ void AppendChannels(std::vector<UintChannel>& channels, const std::vector<glm::u
 
 Stats WriteTable(Device& device, const Job& job, const SatOptions& options) {
     const Picture picture = ReadForDevice(job.input, device, options.read);
-    const SATPrecision precision = Precision(options.table).value_or(SATPrecision::FP32);
+    const SATPrecision precision = PrecisionOf(options.table).value_or(SATPrecision::FP32);
     const bool isFloat = precision == SATPrecision::FP32;
     if (isFloat) RequireWritable(job.output, job.format, picture.channels);
     const Transfer transfer = TransferFor(picture, options.read);
@@ -92,7 +92,7 @@ Stats WriteTable(Device& device, const Job& job, const SatOptions& options) {
                                    .precision = precision,
                                    .order = options.order,
                                    .taps = Taps(options.read),
-                                   .origin = Origin(options.table)});
+                                   .origin = OriginOf(options.table)});
     CommandList commands(device, CommandList::Timing::On);
     Stats stats{.input = job.input,
                 .output = job.output,
@@ -168,7 +168,7 @@ void AddSatCommand(CLI::App& app) {
                      "Print to stderr what was summed, the bias, and how many bits such a table needs");
     command.callback([options] {
         RequireFloatOptionsFit(options->table);
-        const bool isFloat = Precision(options->table).value_or(SATPrecision::FP32) == SATPrecision::FP32;
+        const bool isFloat = PrecisionOf(options->table).value_or(SATPrecision::FP32) == SATPrecision::FP32;
         if (isFloat && options->order > 1)
             throw UsageError("--order {} with --precision fp32: floats hold order 1; use u32 or u64", options->order);
         const std::vector<Job> jobs = PlanJobs(options->files);

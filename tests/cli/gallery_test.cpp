@@ -26,10 +26,11 @@ TEST(Gallery, PageShowsEveryPictureAndLoadsNothingElse) {
     for (std::sregex_iterator it(page.begin(), page.end(), image), end; it != end; ++it)
         shown.insert((*it)[1]);
     for (const auto& entry : std::filesystem::directory_iterator(folder.Path("shown")))
-        if (entry.path().extension() == ".png") written.insert(entry.path().filename().string());
+        if (entry.path().filename() != "index.html") written.insert(entry.path().filename().string());
     EXPECT_EQ(shown, written);
     EXPECT_GE(shown.size(), 20u);
     for (const std::string& name : shown) {
+        if (name.ends_with(".svg")) continue;
         const Picture picture = ReadPicture(folder.Path("shown/" + name));
         EXPECT_GT(*std::max_element(picture.samples.begin(), picture.samples.end()), 0.1f) << name << " is black";
     }

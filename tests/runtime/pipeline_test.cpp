@@ -17,7 +17,7 @@ std::vector<float> SampledRow(const std::string& sampler, float shiftTexels) {
     const Pipeline pipeline(TestDevice(), {passes_shaders::Find("shaders/quad.vs"),
                                            test_support_shaders::Find("shaders/sample.ps.SAMPLER=" + sampler)});
     const Image result(TestDevice(), {extent, Format::RGBA32F, "sampled"});
-    const SATPassConstants constants{{shiftTexels / 4, 0}, {}};
+    const SATPassConstants constants{{shiftTexels / 4, 0}, {}, {}};
     const Texels row = {glm::vec4(1), glm::vec4(2), glm::vec4(3), glm::vec4(4)};
     const Texels texels = RunOnDevice(extent, row, [&](CommandList& commands, const Image& image) -> const Image& {
         commands.Draw({.name = "sample",
