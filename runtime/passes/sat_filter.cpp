@@ -64,13 +64,16 @@ float SATLargestMass(SATPrecision precision, const SATCodes& codes) {
 
 uint32_t SATLargestWidthTexels(SATPrecision precision, const SATCodes& codes, uint32_t order) {
     const float mass = SATLargestMass(precision, codes);
-    uint32_t fits = 0, fails = kMaxWidthTexels + 1;
+    // Parabolic kernels of even widths are not whole, and need more.
+    const uint32_t step = order == 3 ? 2 : 1;
+    uint32_t fits = 0, fails = kMaxWidthTexels / step + 1;
+    const auto width = [&](uint32_t index) { return step * (index - 1) + 1; };
     while (fails - fits > 1) {
         const uint32_t middle = (fits + fails) / 2;
-        const bool exact = SATBoxIsExact(float2(static_cast<float>(middle)), static_cast<int>(order), mass);
-        (exact ? fits : fails) = middle;
+        const float2 size(static_cast<float>(width(middle)));
+        (SATBoxIsExact(size, static_cast<int>(order), mass) ? fits : fails) = middle;
     }
-    return fits;
+    return fits == 0 ? 0 : width(fits);
 }
 
 SATGaussian SATGaussianWithin(float relativeError) {
@@ -114,8 +117,7 @@ const Image& SATFilter::Record(CommandList& commands, TexelWords table, const SA
         throw Error(
             "a {} of {} x {} texels over codes up to {:.0f} may not fit into {} bits: {} holds widths up to {}",
             KernelName(m_desc), size.x, size.y, m_desc.codes.largest, 32 * WordsOf(m_desc.precision),
-            m_desc.precision == SATPrecision::U32 ? "U32" : "U64",
-            SATLargestWidthTexels(m_desc.precision, m_desc.codes, m_desc.order));
+            SATPrecisionName(m_desc.precision), SATLargestWidthTexels(m_desc.precision, m_desc.codes, m_desc.order));
     const bool whole = !isFloat && !widths.map && m_desc.boxes == 1 && !isRepeated && IsWhole(size.x, m_desc.order) &&
                        IsWhole(size.y, m_desc.order);
 

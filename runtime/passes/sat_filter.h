@@ -33,7 +33,8 @@ struct SATCodes {
 // The mass that a kernel over codes may have (hlsl/boxcar/sat_range.h), rounded down.
 float SATLargestMass(SATPrecision precision, const SATCodes& codes);
 
-// The largest whole width, at most 32768, whose kernel is exact in such a table; 0 if not even that of 1 is.
+// The largest whole width (odd for order 3), at most 32768, whose kernel is exact in such a table; 0 if not even that
+// of 1 is.
 uint32_t SATLargestWidthTexels(SATPrecision precision, const SATCodes& codes, uint32_t order);
 
 // The kernel that stands for a Gaussian of standard deviation sigma: boxes of width widthOverSigma * sigma.

@@ -11,6 +11,12 @@ enum class SATPrecision {
     U64,   // two RGBA32UI, the lower and the upper words: modulo 2^64
 };
 
+// "fp32", "u32", "u64"
+constexpr const char* SATPrecisionName(SATPrecision precision) {
+    constexpr const char* kNames[] = {"fp32", "u32", "u64"};
+    return kNames[static_cast<size_t>(precision)];
+}
+
 constexpr uint32_t WordsOf(SATPrecision precision) {
     return precision == SATPrecision::U64 ? 2 : 1;
 }

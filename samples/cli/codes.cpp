@@ -62,7 +62,8 @@ CodeWords EncodeRows(const Picture& picture, Transfer transfer, SATPrecision pre
     words.low.assign(texels, glm::uvec4(0));
     if (precision == SATPrecision::U64) words.high.assign(texels, glm::uvec4(0));
     for (size_t i = 0; i < texels; i++, sample += channels) {
-        const double alpha = HasAlpha(picture) ? sample[channels - 1] : 1.0;
+        // From whole codes: the sample itself has been rounded to float.
+        const double alpha = HasAlpha(picture) ? std::round(sample[channels - 1] * scale) / scale : 1.0;
         for (size_t c = 0; c < channels; c++) {
             const bool isAlpha = HasAlpha(picture) && c + 1 == channels;
             double code = std::round(sample[c] * scale);

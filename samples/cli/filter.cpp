@@ -137,17 +137,119 @@ std::span<const Texel> RowsOf(const std::vector<Texel>& texels, uint32_t widthTe
 
 // Adds what passes of the same name took.
 void AddTimes(std::vector<PassTime>& total, const std::vector<PassTime>& times) {
-    size_t at = 0;
+    auto at = total.begin();
     for (const PassTime& time : times) {
-        const auto found = std::find_if(total.begin() + static_cast<std::ptrdiff_t>(std::min(at, total.size())),
-                                        total.end(), [&](const PassTime& t) { return t.name == time.name; });
-        if (found == total.end()) {
-            total.push_back(time);
-        } else {
-            found->milliseconds += time.milliseconds;
-            at = static_cast<size_t>(found - total.begin()) + 1;
-        }
+        at = std::find_if(at, total.end(), [&](const PassTime& t) { return t.name == time.name; });
+        if (at == total.end())
+            at = total.insert(at, time);
+        else
+            at->milliseconds += time.milliseconds;
+        ++at;
     }
+}
+
+BlurDesc BlurFor(const Picture& picture, const std::string& name, Transfer transfer, const Kernel& kernel,
+                 const FilterOptions& options) {
+    BlurDesc desc{.extent = {picture.widthTexels, picture.heightTexels},
+                  .order = kernel.order,
+                  .boxes = kernel.boxes,
+                  .edge = EdgeOf(options),
+                  .taps = Taps(options.read),
+                  .origin = OriginOf(options.table),
+                  .largestTexels = glm::max(kernel.minTexels, kernel.maxTexels)};
+    if (const auto asked = PrecisionOf(options.table))
+        desc.precision = *asked;
+    else if (kernel.order > 1)
+        desc.precision = ExactPrecision(picture, name, transfer, kernel);
+    if (desc.precision != SATPrecision::FP32)
+        desc.codes = CodesFor(picture, name, transfer, desc.precision);
+    else if (options.table.biasWord == "half")
+        desc.bias = BlurBias::Half;
+    else if (options.table.biasWord == "mean" ||
+             (options.table.biasWord.empty() && picture.stored != SampleType::Float32))
+        desc.bias = BlurBias::Mean;
+    return desc;
+}
+
+// A picture, and perhaps a map of widths, of which bands of rows go to the device.
+class BandedPicture {
+public:
+    // `map`: empty if there is none.
+    BandedPicture(const Picture& picture, Transfer transfer, SATPrecision precision, std::vector<glm::vec4> map)
+        : m_picture(picture), m_transfer(transfer), m_precision(precision), m_map(std::move(map)) {
+        if (precision == SATPrecision::FP32) m_texels = ToLight(picture, transfer);
+    }
+
+    std::vector<Image> UploadWords(Device& device, const Band& band) const {
+        const Extent2D extent{m_picture.widthTexels, band.rowsRead};
+        std::vector<Image> words;
+        if (m_precision == SATPrecision::FP32) {
+            words.push_back(Upload(device, extent,
+                                   RowsOf(m_texels, extent.widthTexels, band.firstRead, band.rowsRead), "source"));
+            return words;
+        }
+        const CodeWords codes = EncodeRows(m_picture, m_transfer, m_precision, band.firstRead, band.rowsRead);
+        words.push_back(Upload(device, extent, std::span(codes.low), "source"));
+        if (m_precision == SATPrecision::U64)
+            words.push_back(Upload(device, extent, std::span(codes.high), "source, upper words"));
+        return words;
+    }
+
+    std::optional<Image> UploadMap(Device& device, const Band& band) const {
+        if (m_map.empty()) return {};
+        const Extent2D extent{m_picture.widthTexels, band.rowsRead};
+        return Upload(device, extent, RowsOf(m_map, extent.widthTexels, band.firstRead, band.rowsRead), "widths");
+    }
+
+private:
+    const Picture& m_picture;
+    Transfer m_transfer;
+    SATPrecision m_precision;
+    std::vector<glm::vec4> m_map;
+    std::vector<glm::vec4> m_texels;  // FP32 only
+};
+
+// The whole picture filtered, band by band.
+std::vector<glm::vec4> FilterBands(Device& device, const BandedPicture& source, BlurDesc desc, const Kernel& kernel,
+                                   Stats& stats) {
+    const Extent2D extent = desc.extent;
+    const bool isRepeated = desc.edge == SATEdge::Repeat || desc.edge == SATEdge::Mirror;
+    const double reach = std::ceil(0.5 * kernel.order * std::max(1.0f, desc.largestTexels.y)) + 1;
+    const std::vector<Band> bands = isRepeated ? std::vector<Band>{{0, extent.heightTexels, 0, extent.heightTexels}}
+                                               : PlanBands(extent, static_cast<uint32_t>(reach));
+    std::vector<glm::vec4> filtered;
+    filtered.reserve(extent.Texels());
+    for (const Band& band : bands) {
+        desc.extent.heightTexels = band.rowsRead;
+        Blur blur(device, desc);
+        const std::vector<Image> words = source.UploadWords(device, band);
+        const std::optional<Image> map = source.UploadMap(device, band);
+        CommandList commands(device, CommandList::Timing::On);
+        const Image& result =
+            blur.Record(commands, words.size() > 1 ? TexelWords(words[0], words[1]) : TexelWords(words[0]),
+                        map ? SATWidths(*map, kernel.minTexels, kernel.maxTexels) : SATWidths(kernel.maxTexels));
+        commands.SubmitAndWait();
+        const auto rows = Download<glm::vec4>(device, result);
+        const auto own = RowsOf(rows, extent.widthTexels, band.firstRow - band.firstRead, band.rows);
+        filtered.insert(filtered.end(), own.begin(), own.end());
+        AddTimes(stats.passes, commands.PassTimes());
+        stats.deviceBytes = std::max(stats.deviceBytes, device.MemoryBytes());
+        stats.tableBytes = std::max(stats.tableBytes, blur.TableBytes());
+    }
+    stats.precision = SATPrecisionName(desc.precision);
+    return filtered;
+}
+
+// One line for texels that the filter marked as NaN.
+void ReportMarked(const std::vector<glm::vec4>& texels, const BlurDesc& desc, const std::string& name) {
+    const auto marked = std::ranges::count_if(texels, [](const glm::vec4& texel) { return std::isnan(texel.x); });
+    if (marked > 0)
+        fmt::print(
+            stderr,
+            "boxcar: {}: {} texels need wider sums than {} holds (widths over {}) and are marked, NaN in float "
+            "files and magenta in others\n",
+            name, marked, SATPrecisionName(desc.precision),
+            SATLargestWidthTexels(desc.precision, desc.codes, desc.order));
 }
 
 Stats Filter(Device& device, const Job& job, const FilterOptions& options) {
@@ -155,89 +257,25 @@ Stats Filter(Device& device, const Job& job, const FilterOptions& options) {
     const Picture picture = ReadForDevice(job.input, device, options.read);
     RequireWritable(job.output, job.format, picture.channels);
     const Transfer transfer = TransferFor(picture, options.read);
-    const Extent2D extent{picture.widthTexels, picture.heightTexels};
+    const BlurDesc desc = BlurFor(picture, job.input, transfer, kernel, options);
 
-    SATPrecision precision = SATPrecision::FP32;
-    if (const auto asked = PrecisionOf(options.table))
-        precision = *asked;
-    else if (kernel.order > 1)
-        precision = ExactPrecision(picture, job.input, transfer, kernel);
-    const bool isFloat = precision == SATPrecision::FP32;
-
-    BlurDesc desc{.extent = extent,
-                  .precision = precision,
-                  .order = kernel.order,
-                  .boxes = kernel.boxes,
-                  .edge = EdgeOf(options),
-                  .taps = Taps(options.read),
-                  .origin = OriginOf(options.table),
-                  .largestTexels = glm::max(kernel.minTexels, kernel.maxTexels)};
-    if (!isFloat) {
-        desc.codes = CodesFor(picture, job.input, transfer, precision);
-    } else if (options.table.biasWord.empty()) {
-        desc.bias = picture.stored != SampleType::Float32 ? BlurBias::Mean : BlurBias::None;
-    } else {
-        desc.bias = options.table.biasWord == "none"   ? BlurBias::None
-                    : options.table.biasWord == "half" ? BlurBias::Half
-                                                       : BlurBias::Mean;
-    }
-
-    Stats stats{.input = job.input, .output = job.output, .extent = extent, .passes = {}};
+    Stats stats{.input = job.input, .output = job.output, .extent = desc.extent, .passes = {}};
     std::vector<glm::vec4> texels;
-    if (isFloat) texels = ToLight(picture, transfer);
-    // The box of one texel is the texel: no table, and so none of its rounding.
-    const bool isIdentity = isFloat && options.widthMap.empty() && kernel.maxTexels.x <= 1 && kernel.maxTexels.y <= 1;
-    if (!isIdentity) {
+    const bool isIdentity = options.widthMap.empty() && kernel.maxTexels.x <= 1 && kernel.maxTexels.y <= 1;
+    if (isIdentity && desc.precision == SATPrecision::FP32) {
+        // The box of one texel is the texel: no table, and so none of its rounding.
+        texels = ToLight(picture, transfer);
+    } else {
         std::vector<glm::vec4> map;
         if (!options.widthMap.empty())
             map = ToLight(ReadWidthMap(options.widthMap, picture, device, options.read), Transfer::Raw);
-        const bool isRepeated = desc.edge == SATEdge::Repeat || desc.edge == SATEdge::Mirror;
-        const double reach = 0.5 * kernel.order * std::max(1.0f, desc.largestTexels.y);
-        const std::vector<Band> bands = isRepeated
-                                            ? std::vector<Band>{{0, extent.heightTexels, 0, extent.heightTexels}}
-                                            : PlanBands(extent, static_cast<uint32_t>(std::ceil(reach)) + 1);
-        std::vector<glm::vec4> filtered;
-        filtered.reserve(extent.Texels());
-        for (const Band& band : bands) {
-            desc.extent = {extent.widthTexels, band.rowsRead};
-            Blur blur(device, desc);
-            std::vector<Image> words;
-            if (isFloat) {
-                words.push_back(Upload(device, desc.extent,
-                                       RowsOf(texels, extent.widthTexels, band.firstRead, band.rowsRead), "source"));
-            } else {
-                const CodeWords codes = EncodeRows(picture, transfer, precision, band.firstRead, band.rowsRead);
-                words.push_back(Upload(device, desc.extent, std::span(codes.low), "source"));
-                if (precision == SATPrecision::U64)
-                    words.push_back(Upload(device, desc.extent, std::span(codes.high), "source, upper words"));
-            }
-            std::optional<Image> mapImage;
-            if (!map.empty())
-                mapImage = Upload(device, desc.extent, RowsOf(map, extent.widthTexels, band.firstRead, band.rowsRead),
-                                  "widths");
-            CommandList commands(device, CommandList::Timing::On);
-            const Image& result = blur.Record(
-                commands, words.size() > 1 ? TexelWords(words[0], words[1]) : TexelWords(words[0]),
-                mapImage ? SATWidths(*mapImage, kernel.minTexels, kernel.maxTexels) : SATWidths(kernel.maxTexels));
-            commands.SubmitAndWait();
-            const auto rows = Download<glm::vec4>(device, result);
-            const auto own = RowsOf(rows, extent.widthTexels, band.firstRow - band.firstRead, band.rows);
-            filtered.insert(filtered.end(), own.begin(), own.end());
-            AddTimes(stats.passes, commands.PassTimes());
-            stats.deviceBytes = std::max(stats.deviceBytes, device.MemoryBytes());
-            stats.tableBytes = std::max(stats.tableBytes, blur.TableBytes());
+        try {
+            texels = FilterBands(device, {picture, transfer, desc.precision, std::move(map)}, desc, kernel, stats);
+        } catch (const Error& error) {
+            throw Error("{}: {}", job.input, error.what());
         }
-        texels = std::move(filtered);
-        stats.precision = PrecisionWord(precision);
+        ReportMarked(texels, desc, job.input);
     }
-
-    const auto isMarked = [](const glm::vec4& texel) { return std::isnan(texel.x); };
-    if (const auto marked = std::count_if(texels.begin(), texels.end(), isMarked); marked > 0)
-        fmt::print(
-            stderr,
-            "boxcar: {}: {} texels need wider sums than {} holds (widths over {}) and are marked, NaN in float "
-            "files and magenta in others\n",
-            job.input, marked, PrecisionWord(precision), SATLargestWidthTexels(precision, desc.codes, kernel.order));
     const SampleType sampleType = OutputSampleType(job, picture, options.bits);
     WritePicture(FromLight(texels, picture, transfer, sampleType), job.output, job.format, sampleType);
     return stats;

@@ -125,11 +125,6 @@ void RequireFloatOptionsFit(const TableOptions& options) {
                          options.precisionWord);
 }
 
-const char* PrecisionWord(SATPrecision precision) {
-    constexpr const char* kWords[] = {"fp32", "u32", "u64"};
-    return kWords[static_cast<size_t>(precision)];
-}
-
 glm::vec2 ParseSize(const std::string& flag, const std::string& text) {
     const size_t cross = text.find('x');
     const std::string_view view = text;

@@ -68,8 +68,6 @@ SATOrigin OriginOf(const TableOptions& options);
 // Throws UsageError: a bias, or sums from elsewhere than the corner, for integers.
 void RequireFloatOptionsFit(const TableOptions& options);
 
-const char* PrecisionWord(SATPrecision precision);
-
 // "W" or "WxH": real numbers above 0 and at most 32768 (twice the largest side). Throws UsageError naming the flag.
 glm::vec2 ParseSize(const std::string& flag, const std::string& text);
 

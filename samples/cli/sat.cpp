@@ -41,7 +41,7 @@ void Explain(const Job& job, const Picture& picture, Transfer transfer, SATPreci
     const double sides = std::log2(picture.widthTexels) + std::log2(picture.heightTexels);
     const int bits = SampleBits(picture, transfer);
     fmt::print(stderr, "{} -> {}: table of order {}, {}\n", job.input, job.output, options.order,
-               PrecisionWord(precision));
+               SATPrecisionName(precision));
     fmt::print(stderr, "  sums     of {}, from the {}\n", WhatIsSummed(picture, transfer, precision),
                options.table.originWord == "corner" ? "upper left corner" : options.table.originWord);
     if (precision == SATPrecision::FP32)
@@ -55,7 +55,7 @@ void Explain(const Job& job, const Picture& picture, Transfer transfer, SATPreci
     for (const SATPrecision words : {SATPrecision::U32, SATPrecision::U64}) {
         const SATCodes codes{1, std::ldexp(1.0, bits) - 1, false};
         fmt::print(stderr, "           {} holds boxes to {} texels wide, tents of {}, parabolic kernels of {}\n",
-                   PrecisionWord(words), SATLargestWidthTexels(words, codes, 1),
+                   SATPrecisionName(words), SATLargestWidthTexels(words, codes, 1),
                    SATLargestWidthTexels(words, codes, 2), SATLargestWidthTexels(words, codes, 3));
     }
 }
@@ -97,7 +97,7 @@ Stats WriteTable(Device& device, const Job& job, const SatOptions& options) {
     Stats stats{.input = job.input,
                 .output = job.output,
                 .extent = extent,
-                .precision = PrecisionWord(precision),
+                .precision = SATPrecisionName(precision),
                 .tableBytes = SummedAreaTableBytes(extent, precision)};
     const auto finish = [&] {
         commands.SubmitAndWait();

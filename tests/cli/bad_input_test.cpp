@@ -43,9 +43,9 @@ TEST_F(BadInput, UnknownWordsAndFlags) {
     EXPECT_EQ(m_folder.Run("").exitCode, 2);
     EXPECT_EQ(m_folder.Run("frobnicate").exitCode, 2);
     Refused("filter ok.png -o out.png --width 3 --sharpen", 2, "The following argument was not expected: --sharpen");
-    Refused("filter ok.png -o out.png", 2, "--width is required");
+    Refused("filter ok.png -o out.png", 2, "--width is missing: W or WxH in texels, or a --width-map");
     Refused("filter ok.png --width 3", 2, "--output is required");
-    Refused("filter ok.png -o out.png --width 3 --edge soft", 2, "--edge: soft not in {clip,zero}");
+    Refused("filter ok.png -o out.png --width 3 --edge soft", 2, "--edge: soft not in {clip,zero,repeat,mirror}");
     Refused("filter ok.png -o out.png --width 3 --taps 3", 2, "--taps: 3 not in {2,4,8,16}");
 }
 

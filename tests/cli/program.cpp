@@ -46,18 +46,19 @@ std::vector<std::string> Folder::Names() const {
     return names;
 }
 
-Outcome Folder::Run(const std::string& arguments, const std::string& environment) const {
+Outcome Folder::Run(const std::string& arguments, const std::string& environment, int seconds) const {
     const char* named = std::getenv("BOXCAR_TEST_DEVICE");
-    return RunOn(named ? named : "llvmpipe", arguments, environment);
+    return RunOn(named ? named : "llvmpipe", arguments, environment, seconds);
 }
 
-Outcome Folder::RunOn(const std::string& device, const std::string& arguments, const std::string& environment) const {
+Outcome Folder::RunOn(const std::string& device, const std::string& arguments, const std::string& environment,
+                      int seconds) const {
     const fs::path captured = m_path.string() + "-captured";
     fs::create_directory(captured);
     // A redirection of the arguments' own comes last and wins.
-    const std::string command =
-        fmt::format("cd '{}' && {} timeout 120 " BOXCAR_PROGRAM " > '{}/out' 2> '{}/err' {}{} ", m_path.string(),
-                    environment, captured.string(), captured.string(), arguments, DeviceFlags(arguments, device));
+    const std::string command = fmt::format(
+        "cd '{}' && {} timeout {} " BOXCAR_PROGRAM " > '{}/out' 2> '{}/err' {}{} ", m_path.string(), environment,
+        seconds, captured.string(), captured.string(), arguments, DeviceFlags(arguments, device));
     const int status = std::system(command.c_str());
     Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, ReadText(captured / "out"),
                     ReadText(captured / "err")};

@@ -28,11 +28,12 @@ public:
     std::vector<std::string> Names() const;  // what is in it, sorted
 
     // `boxcar ARGUMENTS` in this folder, through the shell, under the validation layer and on the test device where
-    // it takes a device. `environment`: NAME=VALUE words in front. Ended after two minutes (exit code 124).
-    Outcome Run(const std::string& arguments, const std::string& environment = "") const;
+    // it takes a device. `environment`: NAME=VALUE words in front. Ended after so many seconds (exit code 124).
+    Outcome Run(const std::string& arguments, const std::string& environment = "", int seconds = 120) const;
 
     // The same with --device `device`.
-    Outcome RunOn(const std::string& device, const std::string& arguments, const std::string& environment = "") const;
+    Outcome RunOn(const std::string& device, const std::string& arguments, const std::string& environment = "",
+                  int seconds = 120) const;
 
     void WriteText(const std::string& name, const std::string& text) const;
 

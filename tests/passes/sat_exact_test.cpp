@@ -446,7 +446,7 @@ TEST(ExactFilter, AWidthThatMayNotFitIsRefusedWithTheLargestThatDoes) {
     const auto image = RandomCodeImage(extent, 48, 0, 255);
     EXPECT_ERROR(BlurCodes(image, {.precision = SATPrecision::U32, .order = 2, .codes = {255, 255, false}},
                            SATWidths(glm::vec2(65))),
-                 "a tent of 65 x 65 texels over codes up to 255 may not fit into 32 bits: U32 holds widths up to 64");
+                 "a tent of 65 x 65 texels over codes up to 255 may not fit into 32 bits: u32 holds widths up to 64");
     EXPECT_NO_THROW(BlurCodes(image, {.precision = SATPrecision::U32, .order = 2, .codes = {255, 255, false}},
                               SATWidths(glm::vec2(64))));
 }
@@ -477,6 +477,9 @@ TEST(SATRange, TheLargestWholeWidthsOverEightBitWhiteAreThoseOfTheBound) {
     const SATCodes codes{255, 255, false};
     EXPECT_EQ(SATLargestWidthTexels(SATPrecision::U32, codes, 1), 4104u);
     EXPECT_EQ(SATLargestWidthTexels(SATPrecision::U64, codes, 2), 16400u);
+    EXPECT_EQ(SATLargestWidthTexels(SATPrecision::U32, codes, 2), 64u);
+    EXPECT_EQ(SATLargestWidthTexels(SATPrecision::U32, codes, 3), 15u);
+    EXPECT_EQ(SATLargestWidthTexels(SATPrecision::U64, codes, 3), 645u);
     const float mass32 = SATLargestMass(SATPrecision::U32, codes), mass64 = SATLargestMass(SATPrecision::U64, codes);
     EXPECT_TRUE(SATBoxIsExact(float2(64), 2, mass32));
     EXPECT_FALSE(SATBoxIsExact(float2(65), 2, mass32));

@@ -253,7 +253,8 @@ TEST(SATFilter, RepeatedAndMirroredPicturesAreTheTiledOnes) {
                                            std::pair(SATEdge::Mirror, reference::Border::Mirror)}) {
             for (const glm::vec2 size : {glm::vec2(1), glm::vec2(3.5f, 8), glm::vec2(60, 2.25f), glm::vec2(101)}) {
                 const Texels blurred = BlurOnDevice(extent, source, size, ours);
-        const glm::vec2 size(glm::ivec2(1 + static_cast<int>(random() % 20), 1 + static_cast<int>(random() % 20)));
+                const double periods = (size.x / static_cast<float>(extent.widthTexels) + 2) *
+                                       (size.y / static_cast<float>(extent.heightTexels) + 2);
                 const double bound =
                     ErrorBound(extent, periods * static_cast<double>(extent.Texels()), size.x * size.y);
                 for (const glm::ivec2 at : PlacesIn(extent)) {
