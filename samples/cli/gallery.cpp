@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 #include <memory>
 
+#include "samples/cli/codes.h"
 #include "samples/cli/device_run.h"
 #include "samples/cli/gallery_page.h"
 #include "samples/cli/light.h"
@@ -34,6 +35,8 @@ struct Photograph {
     Photograph(const std::string& name, const uint8_t* begin, const uint8_t* end, Transfer transfer = Transfer::Srgb)
         : picture(DecodePicture({begin, end}, name)), texels(ToLight(picture, transfer)) {}
 
+    Photograph(Picture made, Transfer transfer) : picture(std::move(made)), texels(ToLight(picture, transfer)) {}
+
     Extent2D Extent() const { return {picture.widthTexels, picture.heightTexels}; }
 };
 
@@ -47,6 +50,8 @@ public:
     void TableAsAPicture();
     void VerbatimAndCorrected();
     void EdgesOfThePicture();
+    void ShapesOfTheKernel();
+    void WidthsFromAMap();
     void LinearLightAndCodes();
     void HdrEnvironment();
     void Precision() { AddPrecisionSections(m_device, m_folder, m_fruits.picture, m_sections); }
@@ -73,6 +78,21 @@ private:
         return Run(source, [&](CommandList& commands, const Image& image) -> const Image& {
             return blur.Record(commands, image, sizeTexels);
         });
+    }
+
+    // In 64-bit integers; `desc` says which kernel.
+    Texels Exact(const Photograph& photograph, Transfer transfer, BlurDesc desc, glm::vec2 sizeTexels) {
+        desc.extent = photograph.Extent();
+        desc.precision = SATPrecision::U64;
+        desc.codes = CodesFor(photograph.picture, "picture", transfer, desc.precision);
+        const CodeWords codes = EncodeRows(photograph.picture, transfer, desc.precision, 0, desc.extent.heightTexels);
+        const Image low = Upload(m_device, desc.extent, std::span(codes.low), "source");
+        const Image high = Upload(m_device, desc.extent, std::span(codes.high), "source, upper words");
+        Blur blur(m_device, desc);
+        CommandList commands(m_device);
+        const Image& result = blur.Record(commands, TexelWords(low, high), sizeTexels);
+        commands.SubmitAndWait();
+        return Download<glm::vec4>(m_device, result);
     }
 
     // Writes `texels` as an 8-bit PNG and returns its figure.
@@ -238,15 +258,87 @@ void Gallery::VerbatimAndCorrected() {
 }
 
 void Gallery::EdgesOfThePicture() {
-    GallerySection section{"Two edges",
-                           "Crow 1984; Hensley 2005, sect. 3",
-                           "What lies outside the picture: nothing, so that the box shrinks (clip), or black (zero).",
+    GallerySection section{
+        "Four edges",
+        "Crow 1984 (repeated textures); Hensley 2005, sect. 3",
+        "What lies outside the picture: nothing, so that the box shrinks (clip); black (zero); the "
+        "picture again (repeat): look how the sky comes in at the bottom; its mirror "
+        "image (mirror).",
+        {},
+        {}};
+    for (const auto& [edge, word] : {std::pair(SATEdge::Clip, "clip"), std::pair(SATEdge::Zero, "zero"),
+                                     std::pair(SATEdge::Repeat, "repeat"), std::pair(SATEdge::Mirror, "mirror")})
+        section.figures.push_back(Save(fmt::format("edge_{}.png", word), Box(m_building, {129, 129}, edge),
+                                       m_building, fmt::format("129 x 129 texels, {}.", word)));
+    m_sections.push_back(std::move(section));
+}
+
+void Gallery::ShapesOfTheKernel() {
+    GallerySection section{"Box, tent, parabola, disc",
+                           "Hensley 2005, sect. 2 (Heckbert's repeated integration); discs: beyond the papers",
+                           "One bright texel under each kernel, enlarged 8 times and scaled to its brightest: a box "
+                           "of 9 texels, and two and "
+                           "three of them in a row, from tables of second and third order in 64-bit integers. Three "
+                           "boxes are almost round: "
+                           "that is why --shape gauss takes them. A disc is a stack of boxes of equal height.",
                            {},
                            {}};
+    constexpr uint32_t kSide = 33, kZoom = 8;
+    Picture impulse{kSide, kSide, 3, SampleType::Unorm8, std::vector<float>(3 * kSide * kSide, 0.0f)};
+    for (size_t c = 0; c < 3; c++)
+        impulse.samples[3 * (kSide * kSide / 2) + c] = 1;
+    const Photograph texel(impulse, Transfer::Raw);
+    const Photograph zoomed(Picture{kSide * kZoom, kSide * kZoom, 3, SampleType::Unorm8,
+                                    std::vector<float>(3 * kSide * kSide * kZoom * kZoom, 0.0f)},
+                            Transfer::Raw);
+    const auto show = [&](const std::string& file, const Texels& filtered, const std::string& caption) {
+        const Texels scaled = Scaled(filtered, glm::vec4(1 / Largest(filtered).r));
+        Texels large;
+        for (uint32_t y = 0; y < kSide * kZoom; y++)
+            for (uint32_t x = 0; x < kSide * kZoom; x++)
+                large.push_back(scaled[y / kZoom * kSide + x / kZoom]);
+        section.figures.push_back(Save(file, large, zoomed, caption));
+    };
+    show("kernel_box.png", Exact(texel, Transfer::Raw, {.order = 1, .edge = SATEdge::Zero}, {9, 9}), "Box, 9 x 9.");
+    show("kernel_tent.png", Exact(texel, Transfer::Raw, {.order = 2, .edge = SATEdge::Zero}, {9, 9}),
+         "Tent: two boxes, 17 x 17.");
+    show("kernel_parabolic.png", Exact(texel, Transfer::Raw, {.order = 3, .edge = SATEdge::Zero}, {9, 9}),
+         "Parabolic: three, 25 x 25.");
+    show("kernel_disc.png", Exact(texel, Transfer::Raw, {.boxes = 16, .edge = SATEdge::Zero}, {25, 25}),
+         "Disc of 16 boxes, 25 x 25.");
+
+    section.figures.push_back(Save("shape_box.png", Box(m_fruits, {25, 25}), m_fruits,
+                                   "The photograph under a box of 25: edges double, highlights turn to squares."));
     section.figures.push_back(
-        Save("edge_clip.png", Box(m_building, {129, 129}), m_building, "129 x 129 texels, clip."));
+        Save("shape_gauss.png", Exact(m_fruits, Transfer::Srgb, {.order = 3}, glm::vec2(1.923f * 7.2f)), m_fruits,
+             "A Gaussian of the same variance, sigma 7.2, as a parabolic kernel 4.2 % from it."));
+    m_sections.push_back(std::move(section));
+}
+
+void Gallery::WidthsFromAMap() {
+    GallerySection section{"A width for every texel",
+                           "Crow 1984; Hensley 2005, sect. 2",
+                           "The cost does not depend on the width, so each texel may have its own: here discs from 1 "
+                           "texel at a third of the height to 60 at the bottom, like a lens turned down on a model.",
+                           {},
+                           {}};
+    Texels widths;
+    const Extent2D extent = m_building.Extent();
+    for (uint32_t y = 0; y < extent.heightTexels; y++)
+        for (uint32_t x = 0; x < extent.widthTexels; x++) {
+            const float at = static_cast<float>(y) / static_cast<float>(extent.heightTexels);
+            widths.emplace_back(std::min(1.0f, 1.5f * std::abs(at - 0.33f)), 0, 0, 0);
+        }
+    const Image map = Upload(m_device, extent, std::span<const glm::vec4>(widths), "widths");
+    Blur blur(m_device, {.extent = extent, .boxes = 16, .bias = BlurBias::Mean});
+    const Texels filtered = Run(m_building, [&](CommandList& commands, const Image& image) -> const Image& {
+        return blur.Record(commands, image, SATWidths(map, {1, 1}, {60, 60}));
+    });
+    for (glm::vec4& width : widths)
+        width = glm::vec4(glm::vec3(width.r), 1);
     section.figures.push_back(
-        Save("edge_zero.png", Box(m_building, {129, 129}, SATEdge::Zero), m_building, "129 x 129 texels, zero."));
+        Save("map.png", widths, m_building, "The map: black is 1 texel, white 60.", Transfer::Raw));
+    section.figures.push_back(Save("map_filtered.png", filtered, m_building, "The photograph under its discs."));
     m_sections.push_back(std::move(section));
 }
 
@@ -298,6 +390,8 @@ void MakeGallery(const std::string& folder, const DeviceOptions& deviceOptions) 
                                                 &Gallery::TableAsAPicture,
                                                 &Gallery::VerbatimAndCorrected,
                                                 &Gallery::EdgesOfThePicture,
+                                                &Gallery::ShapesOfTheKernel,
+                                                &Gallery::WidthsFromAMap,
                                                 &Gallery::LinearLightAndCodes,
                                                 &Gallery::HdrEnvironment,
                                                 &Gallery::Precision};
