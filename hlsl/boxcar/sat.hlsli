@@ -5,7 +5,7 @@
 // F(i, j) = T(i - 1, j - 1) at whole corners, 0 on the left and the top edge, and bilinear in between: lookups at
 // fractional corners are exact, not an approximation.
 //
-//   SATBoxAt, SATDiscBox    a box round a point; one of the boxes that make a disc
+//   SATBoxAt, SATDiscBox    a box round a point; one of those that make a disc or a polygon
 //   SATClipBox              its part inside the image
 //   SATBoxArea              the area of that part
 //   SATSumBox               the sum of the image over it: 16 loads
@@ -63,20 +63,40 @@ SATBox SATBoxAt(float2 centreTexels, float2 sizeTexels)
     return box;
 }
 
-// SATDiscBox: one of the boxes of equal height that stand for a disc, from the top. Each is as wide as the disc is at
-// the middle of its height. A disc of one box is the box.
+// SATPolygonHalfWidth: half the width of a regular polygon in a circle of radius 1 about 0, a corner at the top, at the
+// height y: -1 at the top, 1 at the bottom; 0 below the polygon.
+float SATPolygonHalfWidth(int sides, float y)
+{
+    float turn = 6.28318531 / sides;
+    float halfWidth = 1.0;
+    [loop]
+    for (int side = 0; 2 * side < sides; side++)  // from the top corner to the right and down
+    {
+        float2 outward = float2(sin((side + 0.5) * turn), -cos((side + 0.5) * turn));
+        if (outward.x > 1e-6)
+            halfWidth = min(halfWidth, (cos(0.5 * turn) - y * outward.y) / outward.x);
+        else if (y * outward.y > cos(0.5 * turn))
+            halfWidth = 0.0;
+    }
+    return max(halfWidth, 0.0);
+}
+
+// SATDiscBox: one of the boxes of equal height that stand for a disc or a polygon, from the top. Each is as wide as the
+// shape is at the middle of its height. A disc of one box is the box.
 //
 //   centreTexels    in edge coordinates
-//   diameterTexels  of the disc, or the axes of an ellipse
+//   diameterTexels  of the disc, or of the circle that the polygon's corners lie on; width and height may differ
+//   sides           of the polygon, 3 at least; 0 for a disc
 //   boxes           1 at least
 //   index           0 <= index < boxes
 //
 // Cost: that of a box for each. Area: 1.3 % more than the disc's for 8 boxes, 0.5 % for 16 (SATFilter.TheBoxesOfADiscHaveAlmostItsArea).
-SATBox SATDiscBox(float2 centreTexels, float2 diameterTexels, int boxes, int index)
+SATBox SATDiscBox(float2 centreTexels, float2 diameterTexels, int sides, int boxes, int index)
 {
     float heightTexels = diameterTexels.y / boxes;
     float middle = (2.0 * index + 1.0) / boxes - 1.0;  // -1 at the top of the disc, 1 at its bottom
-    float widthTexels = diameterTexels.x * sqrt(1.0 - middle * middle);
+    float halfWidth = sides == 0 ? sqrt(1.0 - middle * middle) : SATPolygonHalfWidth(sides, middle);
+    float widthTexels = diameterTexels.x * halfWidth;
     return SATBoxAt(centreTexels + float2(0.0, 0.5 * middle * diameterTexels.y), float2(widthTexels, heightTexels));
 }
 

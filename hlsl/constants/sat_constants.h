@@ -40,10 +40,11 @@ struct SATFilterConstants
     int2 widthMapTexels;  // extent of the map of widths; (1, 1) for one width everywhere
     float2 minTexels;     // width and height of the box where the map is 0
     float2 maxTexels;     // and where it is 1
-    int boxes;            // that stand for a disc; 1 for a box
+    int boxes;            // that stand for a disc or a polygon; 1 for a box
+    int sides;            // of the polygon; 0 for a disc
+    int isSigned;         // 1: codes may be negative
     float codeScale;      // what 1 is in codes: 255, 65535, 2^24
     float largestMass;    // of SATBoxIsExact
-    int isSigned;         // 1: codes may be negative
 };
 
 #ifdef __cplusplus

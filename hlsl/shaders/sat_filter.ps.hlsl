@@ -18,7 +18,7 @@ float4 main(QuadVertex i) : SV_Target0
     float insideTexels = 0.0, wholeTexels = 0.0;
     for (int k = 0; k < g.boxes; k++)
     {
-        SATBox whole = SATDiscBox(i.position.xy, sizeTexels, g.boxes, k);
+        SATBox whole = SATDiscBox(i.position.xy, sizeTexels, g.sides, g.boxes, k);
         SATBox inside = SATClipBox(frame, whole);
         sum += SATSumBox(table, frame, inside);
         insideTexels += SATBoxArea(inside);

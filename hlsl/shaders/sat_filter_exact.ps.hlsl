@@ -34,7 +34,7 @@ float4 main(QuadVertex i) : SV_Target0
     mass = 0.0;
     for (int k = 0; k < g.boxes; k++)
     {
-        SATBox box = SATDiscBox(TexelCentre(texel), sizeTexels, g.boxes, k);
+        SATBox box = SATDiscBox(TexelCentre(texel), sizeTexels, g.sides, g.boxes, k);
         SATBox inside = SATClipBox(frame, box);
         sum += SATSumBox(words, frame, inside);
         mass += EDGE == SAT_EDGE_ZERO ? SATBoxArea(box) : SATBoxArea(inside);

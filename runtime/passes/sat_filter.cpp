@@ -22,6 +22,8 @@ SATFilterDesc Checked(const SATFilterDesc& desc) {
     if (isFloat && desc.order > 1)
         throw Error("order {} in floats: tents and parabolic kernels need integers", desc.order);
     if (desc.boxes < 1 || desc.boxes > 1024) throw Error("{} boxes: a disc is made of 1 to 1024", desc.boxes);
+    if (desc.sides != 0 && (desc.sides < 3 || desc.sides > 16))
+        throw Error("{} sides: a polygon has 3 to 16; 0 is a disc", desc.sides);
     if (desc.boxes > 1 && desc.order > 1)
         throw Error("a disc of {} boxes is of order 1, not {}", desc.boxes, desc.order);
     if (isRepeated && desc.order > 1)
@@ -118,8 +120,8 @@ const Image& SATFilter::Record(CommandList& commands, TexelWords table, const SA
             "a {} of {} x {} texels over codes up to {:.0f} may not fit into {} bits: {} holds widths up to {}",
             KernelName(m_desc), size.x, size.y, m_desc.codes.largest, 32 * WordsOf(m_desc.precision),
             SATPrecisionName(m_desc.precision), SATLargestWidthTexels(m_desc.precision, m_desc.codes, m_desc.order));
-    const bool whole = !isFloat && !widths.map && m_desc.boxes == 1 && !isRepeated && IsWhole(size.x, m_desc.order) &&
-                       IsWhole(size.y, m_desc.order);
+    const bool whole = !isFloat && !widths.map && m_desc.boxes == 1 && m_desc.sides == 0 && !isRepeated &&
+                       IsWhole(size.x, m_desc.order) && IsWhole(size.y, m_desc.order);
 
     const Image& map = widths.map ? *widths.map : m_zero;
     const SATFilterConstants constants{int2(tableExtent.widthTexels, tableExtent.heightTexels),
@@ -129,9 +131,10 @@ const Image& SATFilter::Record(CommandList& commands, TexelWords table, const SA
                                        widths.minTexels,
                                        widths.maxTexels,
                                        static_cast<int>(m_desc.boxes),
+                                       static_cast<int>(m_desc.sides),
+                                       m_desc.codes.isSigned,
                                        m_desc.codes.scale,
-                                       largestMass,
-                                       m_desc.codes.isSigned};
+                                       largestMass};
     Pass pass{.name = "filter",
               .pipeline = PipelineFor(whole),
               .reads = {{"table", table.low}, {"widthMap", &map}},

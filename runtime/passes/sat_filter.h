@@ -54,8 +54,9 @@ struct SATFilterDesc {
     Extent2D extent;  // texels; of the result
     SATPrecision precision = SATPrecision::FP32;
     uint32_t order = 1;
-    uint32_t boxes = 1;                    // of equal height, that stand for a disc; 1 for a box. Order 1 only
-    SATEdge edge = SATEdge::Clip;          // orders 2 and 3: Clip or Zero (extended_image.h does the others)
+    uint32_t boxes = 1;            // of equal height, that stand for a disc or a polygon; 1 for a box. Order 1 only
+    uint32_t sides = 0;            // of the polygon, 3 to 16, a corner at the top; 0 for a disc
+    SATEdge edge = SATEdge::Clip;  // orders 2 and 3: Clip or Zero (extended_image.h does the others)
     SATOrigin origin = SATOrigin::Corner;  // of the table; integers, and repeated images, need Corner
     Extent2D padding = {0, 0};             // the table's extent is `extent` and twice this
     SATCodes codes = {};                   // for integers

@@ -1,6 +1,7 @@
 #include "runtime/passes/summed_area_table.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "hlsl/constants/sat_constants.h"
 #include "passes_shaders.h"
@@ -36,6 +37,10 @@ uint32_t SummedAreaTablePassCount(uint32_t sizeTexels, uint32_t taps) {
     for (uint64_t reach = 1; reach < sizeTexels; reach *= taps)
         passes++;
     return passes;
+}
+
+double SummedAreaTableBits(Extent2D extent, uint32_t sampleBits, uint32_t order) {
+    return order * (std::log2(extent.widthTexels) + std::log2(extent.heightTexels)) + sampleBits;
 }
 
 uint64_t SummedAreaTableBytes(Extent2D extent, SATPrecision precision) {

@@ -54,6 +54,13 @@ struct SummedAreaTableDesc {
 // Passes along an axis of `sizeTexels`: the smallest P with taps^P >= sizeTexels, in integers.
 uint32_t SummedAreaTablePassCount(uint32_t sizeTexels, uint32_t taps);
 
+// Bits that the papers give a table of order n so that it never wraps: n (log2 W + log2 H) + those of a sample. 24
+// for 256 x 256 texels of 8 bits, 40 for the second order of them. Tables of integers need only those of the sums
+// under the filter (hlsl/boxcar/sat_range.h).
+//
+// Hensley 2005, sect. 2.1 and 2.2
+double SummedAreaTableBits(Extent2D extent, uint32_t sampleBits, uint32_t order = 1);
+
 // Device memory of a table while it is built: 32 bytes a texel for FP32 and U32, 64 for U64.
 uint64_t SummedAreaTableBytes(Extent2D extent, SATPrecision precision);
 

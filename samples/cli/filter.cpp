@@ -27,6 +27,7 @@ struct FilterOptions : BatchOptions {
     std::string shapeWord = "box";
     double gaussPercent = 5;
     uint32_t discBoxes = 16;
+    uint32_t discSides = 0;
     std::string edgeWord = "clip";
     int bits = 0;
 };
@@ -35,6 +36,7 @@ struct FilterOptions : BatchOptions {
 struct Kernel {
     uint32_t order = 1;
     uint32_t boxes = 1;
+    uint32_t sides = 0;
     glm::vec2 minTexels{1};  // of the box that it is made of; the same twice without a map
     glm::vec2 maxTexels{1};
 };
@@ -52,7 +54,10 @@ Kernel ParseKernel(const FilterOptions& options) {
     float factor = 1;
     if (options.shapeWord == "tent") kernel.order = 2;
     if (options.shapeWord == "parabolic") kernel.order = 3;
-    if (options.shapeWord == "disc") kernel.boxes = options.discBoxes;
+    if (options.shapeWord == "disc") {
+        kernel.boxes = options.discBoxes;
+        kernel.sides = options.discSides;
+    }
     if (options.shapeWord == "gauss") {
         try {
             const SATGaussian gaussian = SATGaussianWithin(static_cast<float>(options.gaussPercent / 100));
@@ -153,6 +158,7 @@ BlurDesc BlurFor(const Picture& picture, const std::string& name, Transfer trans
     BlurDesc desc{.extent = {picture.widthTexels, picture.heightTexels},
                   .order = kernel.order,
                   .boxes = kernel.boxes,
+                  .sides = kernel.sides,
                   .edge = EdgeOf(options),
                   .taps = Taps(options.read),
                   .origin = OriginOf(options.table),
@@ -324,6 +330,11 @@ void AddFilterCommand(CLI::App& app) {
     command
         .add_option("--disc-boxes", options->discBoxes, "disc: boxes of equal height that it is made of (default 16)")
         ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+    command
+        .add_option("--disc-sides", options->discSides,
+                    "disc: a polygon of 3 to 16 sides instead, as the blades of a lens make it; 0: round (default)")
+        ->check(CLI::IsMember({0, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16}))
         ->type_name("N");
     command
         .add_option("--edge", options->edgeWord,

@@ -22,7 +22,7 @@ struct SatOptions : BatchOptions {
 };
 
 // The bits of one sample as it is summed.
-int SampleBits(const Picture& picture, Transfer transfer) {
+uint32_t SampleBits(const Picture& picture, Transfer transfer) {
     if (picture.stored == SampleType::Float32) return 24;
     return picture.stored == SampleType::Unorm8 && transfer == Transfer::Raw ? 8 : 16;
 }
@@ -38,8 +38,8 @@ const char* WhatIsSummed(const Picture& picture, Transfer transfer, SATPrecision
 // Hensley 2005, sect. 2.1 and 2.2 (the bits of a table, and of one of order n)
 void Explain(const Job& job, const Picture& picture, Transfer transfer, SATPrecision precision,
              const SatOptions& options, glm::vec4 bias) {
-    const double sides = std::log2(picture.widthTexels) + std::log2(picture.heightTexels);
-    const int bits = SampleBits(picture, transfer);
+    const Extent2D extent{picture.widthTexels, picture.heightTexels};
+    const uint32_t bits = SampleBits(picture, transfer);
     fmt::print(stderr, "{} -> {}: table of order {}, {}\n", job.input, job.output, options.order,
                SATPrecisionName(precision));
     fmt::print(stderr, "  sums     of {}, from the {}\n", WhatIsSummed(picture, transfer, precision),
@@ -47,13 +47,13 @@ void Explain(const Job& job, const Picture& picture, Transfer transfer, SATPreci
     if (precision == SATPrecision::FP32)
         fmt::print(stderr, "  bias     {:.9g} {:.9g} {:.9g} {:.9g} taken off every texel\n", bias.r, bias.g, bias.b,
                    bias.a);
-    fmt::print(stderr, "  papers   P_s = log2 w + log2 h + P_i = {:.2f} + {} = {:.2f} bits\n", sides, bits,
-               sides + bits);
+    fmt::print(stderr, "  papers   P_s = log2 w + log2 h + P_i = {:.2f} + {} = {:.2f} bits\n",
+               SummedAreaTableBits(extent, 0), bits, SummedAreaTableBits(extent, bits));
     fmt::print(stderr, "           of order n: n (log2 w + log2 h) + P_i = {:.2f} (n = 2), {:.2f} (n = 3)\n",
-               2 * sides + bits, 3 * sides + bits);
+               SummedAreaTableBits(extent, bits, 2), SummedAreaTableBits(extent, bits, 3));
     fmt::print(stderr, "  modular  log2(kernel's mass) + P_i, whatever w and h are:\n");
     for (const SATPrecision words : {SATPrecision::U32, SATPrecision::U64}) {
-        const SATCodes codes{1, std::ldexp(1.0, bits) - 1, false};
+        const SATCodes codes{1, std::ldexp(1.0, static_cast<int>(bits)) - 1, false};
         fmt::print(stderr, "           {} holds boxes to {} texels wide, tents of {}, parabolic kernels of {}\n",
                    SATPrecisionName(words), SATLargestWidthTexels(words, codes, 1),
                    SATLargestWidthTexels(words, codes, 2), SATLargestWidthTexels(words, codes, 3));

@@ -43,6 +43,7 @@ Blur::Blur(Device& device, const BlurDesc& desc)
                         .precision = desc.precision,
                         .order = desc.order,
                         .boxes = desc.boxes,
+                        .sides = desc.sides,
                         .edge = NeedsExtension(desc) ? SATEdge::Zero : desc.edge,
                         .origin = desc.origin,
                         .padding = Padding(desc),

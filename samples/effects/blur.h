@@ -22,7 +22,8 @@ struct BlurDesc {
     Extent2D extent = {};  // texels
     SATPrecision precision = SATPrecision::FP32;
     uint32_t order = 1;  // 1 box, 2 tent, 3 parabolic; orders 2 and 3 need integers
-    uint32_t boxes = 1;  // that stand for a disc; 1 for a box. Order 1 only
+    uint32_t boxes = 1;  // that stand for a disc or a polygon; 1 for a box. Order 1 only
+    uint32_t sides = 0;  // of the polygon, 3 to 16; 0 for a disc
     SATEdge edge = SATEdge::Clip;
     uint32_t taps = 4;                     // texels added per pass while the table is built: 2, 4, 8 or 16
     SATOrigin origin = SATOrigin::Corner;  // FP32 only; not over repeated images

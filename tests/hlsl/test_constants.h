@@ -19,6 +19,14 @@ struct SampleConstants {
     float2 offsetTexels;  // of the kernel's centre from the texel's
 };
 
+// textured_plane.ps
+struct PlaneConstants {
+    float2 acrossUv;  // from one pixel to the next
+    float2 downUv;
+    float2 startUv;  // at the upper left corner of the screen
+    int2 extentTexels;
+};
+
 #ifdef __cplusplus
 }
 #endif

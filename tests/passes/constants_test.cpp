@@ -36,8 +36,9 @@ TEST(PassesConstants, OffsetsInCppEqualThoseInTheShaders) {
     const Offsets filter = {OFFSET(SATFilterConstants, extentTexels),  OFFSET(SATFilterConstants, originTexels),
                             OFFSET(SATFilterConstants, paddingTexels), OFFSET(SATFilterConstants, widthMapTexels),
                             OFFSET(SATFilterConstants, minTexels),     OFFSET(SATFilterConstants, maxTexels),
-                            OFFSET(SATFilterConstants, boxes),         OFFSET(SATFilterConstants, codeScale),
-                            OFFSET(SATFilterConstants, largestMass),   OFFSET(SATFilterConstants, isSigned)};
+                            OFFSET(SATFilterConstants, boxes),         OFFSET(SATFilterConstants, sides),
+                            OFFSET(SATFilterConstants, codeScale),     OFFSET(SATFilterConstants, largestMass),
+                            OFFSET(SATFilterConstants, isSigned)};
     EXPECT_EQ(OffsetsIn("shaders/sat_pass.vs.TAPS=16"), pass);
     EXPECT_EQ(OffsetsIn("shaders/sat_pass_load.ps.TAPS=2"), pass);
     EXPECT_EQ(OffsetsIn("shaders/sat_pass_exact.ps.TAPS=2.WORDS=2"), pass);

@@ -404,6 +404,57 @@ TEST(ExactFilter, DiscsAreTheMeanOverTheirRectangles) {
     }
 }
 
+TEST(ExactFilter, PolygonsAreTheMeanOverTheirRectangles) {
+    const Extent2D extent{40, 33};
+    const auto image = RandomCodeImage(extent, 53, 0, 255);
+    const auto reference = ToDouble(image);
+    for (const uint32_t sides : {3u, 4u, 5u, 6u, 8u}) {
+        for (const EdgePair edge : kEdges) {
+            const BlurDesc desc{.precision = SATPrecision::U32,
+                                .boxes = 9,
+                                .sides = sides,
+                                .edge = edge.ours,
+                                .codes = {255, 255, false}};
+            const Texels exact = BlurCodes(image, desc, SATWidths(glm::vec2(17)));
+            for (const glm::ivec2 at : PlacesIn(image)) {
+                const glm::dvec4 expected = reference::PolygonMean(reference, at.x + 0.5, at.y + 0.5, 17,
+                                                                   static_cast<int>(sides), 9, edge.theirs);
+                for (int c = 0; c < 4; c++)
+                    ASSERT_NEAR(exact[at.y * 40 + at.x][c], expected[c] / 255, 1e-5)
+                        << sides << " sides at " << at.x << ", " << at.y;
+            }
+        }
+    }
+}
+
+// Crow's saving where a texture is minified: corners at the nearest whole texels. A corner is off by half a texel at
+// most, so the mean by (w + h + 1) / (w h) of the range.
+TEST(ExactTable, WholeCornersAreEnoughForLargeBoxes) {
+    const auto image = RandomCodeImage({200, 150}, 54, 0, 255);
+    const auto reference = ToDouble(image);
+    std::mt19937 random(55);
+    for (const double side : {8.0, 16.0, 32.0, 64.0}) {
+        std::vector<glm::ivec4> boxes;
+        std::vector<glm::dvec2> centres;
+        for (int i = 0; i < 100; i++) {
+            std::uniform_real_distribution<double> x(side / 2, 200 - side / 2), y(side / 2, 150 - side / 2);
+            centres.emplace_back(x(random), y(random));
+            boxes.emplace_back(
+                glm::ivec4(glm::round(glm::dvec4(centres.back() - side / 2, centres.back() + side / 2))));
+        }
+        const auto sums = SumsOf(image, SATPrecision::U32, boxes, {100, 1}, "SAT_EDGE_CLIP");
+        double worst = 0;
+        for (size_t i = 0; i < boxes.size(); i++) {
+            const double area = (boxes[i].z - boxes[i].x) * (boxes[i].w - boxes[i].y);
+            const double expected =
+                reference::BoxMean(reference, centres[i].x, centres[i].y, side, side, reference::Edge::Clip)[0];
+            worst = std::max(worst, std::abs(static_cast<double>(sums[i][0]) / area - expected));
+        }
+        EXPECT_LE(worst, 255 * (2 * side + 1) / (side * side)) << side;
+        EXPECT_GT(worst, 0.01) << "a box between texels is another one";
+    }
+}
+
 TEST(ExactFilter, AMapGivesEachTexelItsOwnWidth) {
     const Extent2D extent{31, 24};
     const auto image = RandomCodeImage(extent, 45, 0, 255);

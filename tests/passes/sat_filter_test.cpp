@@ -5,6 +5,7 @@
 
 #include <bit>
 #include <cmath>
+#include <glm/common.hpp>
 #include <limits>
 #include <numbers>
 
@@ -298,6 +299,63 @@ TEST(SATSampleBox, RepeatTakesAnyUv) {
                 ASSERT_NEAR(sampled[at.y * 12 + at.x][c], expected[c], 255 * 2e-4) << at.x << ", " << at.y;
         }
     }
+}
+
+// Crow 1984: a texture repeated over a plane, each pixel filtered over the larger of its increments in u and in v.
+// The reference walks scan lines and adds the increments up, as his does; several periods of the texture lie in a
+// pixel.
+TEST(Footprint, AScanLineOfIncrementsGivesTheSamePicture) {
+    const Extent2D extent{12, 19}, screen{40, 30};
+    const Texels source = RandomCodes(extent, 34);
+    const auto reference = ToDouble(extent, source);
+    const Pipeline pipeline(TestDevice(), {passes_shaders::Find("shaders/quad.vs"),
+                                           test_support_shaders::Find("shaders/textured_plane.ps")});
+    SummedAreaTable table(TestDevice(), {.extent = extent});
+    const Image result(TestDevice(), {screen, Format::RGBA32F, "plane"});
+    for (const PlaneConstants& plane : {PlaneConstants{{0.25f, -0.0625f}, {0.125f, 0.5f}, {-3, 2}, {12, 19}},
+                                        PlaneConstants{{2.5f, 0.03125f}, {0.5f, 1.25f}, {0.5f, -7}, {12, 19}}}) {
+        const Image image = Upload(extent, source);
+        CommandList commands(TestDevice());
+        const Image& sums = *table.Record(commands, image).low;
+        commands.Draw({.name = "plane",
+                       .pipeline = pipeline,
+                       .reads = {{"table", &sums}},
+                       .writes = {&result},
+                       .constants = ConstantBytes(plane)});
+        commands.SubmitAndWait();
+        const Texels drawn = Download(result);
+        const glm::dvec2 across(plane.acrossUv), down(plane.downUv);
+        const glm::dvec2 rectangle = glm::max(glm::abs(across), glm::abs(down)) * glm::dvec2(12, 19);
+        glm::dvec2 lineUv = glm::dvec2(plane.startUv) + 0.5 * (across + down);
+        for (uint32_t y = 0; y < screen.heightTexels; y++, lineUv += down) {
+            glm::dvec2 uv = lineUv;
+            for (uint32_t x = 0; x < screen.widthTexels; x++, uv += across) {
+                const glm::dvec4 expected = reference::FilterMean(reference, 1, uv.x * 12, uv.y * 19, rectangle.x,
+                                                                  rectangle.y, reference::Border::Repeat);
+                for (int c = 0; c < 4; c++)
+                    ASSERT_NEAR(drawn[y * screen.widthTexels + x][c], expected[c], 255 * 1e-4) << x << ", " << y;
+            }
+        }
+    }
+}
+
+// Image loads of a shader, counted in its SPIR-V.
+size_t LoadsIn(const EmbeddedShader& shader) {
+    constexpr uint32_t kOpImageFetch = 95, kHeaderWords = 5;
+    size_t loads = 0;
+    for (size_t at = kHeaderWords; at < shader.spirv.size(); at += shader.spirv[at] >> 16)
+        loads += (shader.spirv[at] & 0xffff) == kOpImageFetch;
+    return loads;
+}
+
+// Crow 1984, table of costs: 16 reads of the table with interpolated corners, 4 without.
+TEST(Costs, LoadsAreAsDocumented) {
+    EXPECT_EQ(LoadsIn(test_support_shaders::Find("shaders/sat_sample_box.ps.SAMPLE=SATSampleBox")), 16u);
+    // One more for the list of boxes.
+    EXPECT_EQ(LoadsIn(test_support_shaders::Find("shaders/sat_sum_texels.ps.WORDS=1.EDGE=SAT_EDGE_CLIP")), 4u + 1);
+    EXPECT_EQ(LoadsIn(test_support_shaders::Find("shaders/sat_sum_texels.ps.WORDS=2.EDGE=SAT_EDGE_CLIP")), 8u + 1);
+    for (const uint32_t taps : {2u, 4u, 8u, 16u})
+        EXPECT_EQ(LoadsIn(passes_shaders::Find(fmt::format("shaders/sat_pass_load.ps.TAPS={}", taps))), taps);
 }
 
 TEST(SATFilter, SumsFromAnywhereGiveTheSameMeans) {

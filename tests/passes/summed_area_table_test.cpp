@@ -267,6 +267,13 @@ TEST(SummedAreaTable, SumsFromTheMiddleTakeOnePassLessWithTwoTaps) {
               16u);
 }
 
+// Erratum: 40 bits for the second order, where the paper's text has 44.
+TEST(SummedAreaTable, BitsAreThoseOfThePapersFormula) {
+    EXPECT_EQ(SummedAreaTableBits({256, 256}, 8), 24);
+    EXPECT_EQ(SummedAreaTableBits({256, 256}, 8, 2), 40);
+    EXPECT_EQ(SummedAreaTableBits({1024, 512}, 16, 3), 73);
+}
+
 TEST(SummedAreaTable, RefusesAnOrderOfFloats) {
     EXPECT_ERROR(SummedAreaTable(TestDevice(), {.extent = {4, 4}, .order = 2}),
                  "order 2 in floats: they have too few digits for it; U32 and U64 hold it exactly");

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 #include <numbers>
 #include <stdexcept>
@@ -139,6 +140,40 @@ inline glm::dvec4 DiscMean(const DoubleImage& image, double centreX, double cent
         area += border == Border::Clip ? strip.inside : 2 * halfChord * (bottom - top);
     }
     return area > 0 ? sum / area : glm::dvec4(0);
+}
+
+// Half the width at height y (1 at the bottom) of the regular polygon with corners on the unit circle, one at the
+// top: between two corners the side is a line, so at y it is at the mean of their x, weighted by how near they are.
+inline double PolygonHalfWidth(int sides, double y) {
+    const auto corner = [&](int k) {
+        const double angle = 2 * std::numbers::pi * k / sides;
+        return glm::dvec2(std::sin(angle), -std::cos(angle));
+    };
+    for (int k = 0; corner(k).x >= 0 && k < sides; k++) {
+        const glm::dvec2 above = corner(k), below = corner(k + 1);
+        if (y < above.y || y > below.y || below.y == above.y) continue;
+        const double t = (y - above.y) / (below.y - above.y);
+        return std::abs(above.x + t * (below.x - above.x));
+    }
+    return 0;
+}
+
+// DiscMean for a polygon.
+inline glm::dvec4 PolygonMean(const DoubleImage& image, double centreX, double centreY, double diameterTexels,
+                              int sides, int strips, Border border) {
+    glm::dvec4 sum(0);
+    double area = 0;
+    for (int k = 0; k < strips; k++) {
+        const double top = -diameterTexels / 2 + k * diameterTexels / strips;
+        const double bottom = top + diameterTexels / strips;
+        const double half = diameterTexels / 2 * PolygonHalfWidth(sides, (top + bottom) / diameterTexels);
+        if (half == 0) continue;
+        const WeightedSum strip = SumOverPlane(image, CoverageWeights(centreX - half, centreX + half),
+                                               CoverageWeights(centreY + top, centreY + bottom), border);
+        sum += strip.sum;
+        area += border == Border::Clip ? strip.inside : 2 * half * (bottom - top);
+    }
+    return sum / area;
 }
 
 // |kernel - Gaussian| / |Gaussian| in the L2 norm over the plane, both of unit sum and the kernel as wide as high.
