@@ -14,7 +14,7 @@
 // A whole W that SATSumWhole can take is the box of W texels taken n times over texels. SATSumOrder is the integral of
 // the kernel over the image as a function that is constant on each texel; it is continuous in W and in the point.
 //
-// Heckbert's repeated integration, as in Hensley 2005, sect. 2
+// Heckbert 1986; Hensley 2005, sect. 2.2
 #ifndef BOXCAR_SAT_ORDER_HLSLI
 #define BOXCAR_SAT_ORDER_HLSLI
 

@@ -1,4 +1,4 @@
-// The papers' box lookup exactly as they print it, to look at beside BoxFilter: shifted by half a texel or a whole
+// The papers' box lookup exactly as they print it, to look at beside SATFilter: shifted by half a texel or a whole
 // one, not clipped at the rim, and W x H times too bright.
 //
 //   table  ->  tex2D_SAT_blur round every texel  ->  image
