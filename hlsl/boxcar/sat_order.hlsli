@@ -22,7 +22,7 @@
 
 // SATContinue: a table of order n continues as a polynomial of degree n - 1 where nothing is added any more. The weights
 // of the last n entries (the last one first) in the entry that comes `ahead` texels after them; `ahead` may be negative:
-// that is what a table would hold if nothing lay before.
+// that is what a table would hold if nothing lay before. |ahead| <= 46340, so that the weights fit.
 int3 SATContinue(int order, int ahead)
 {
     if (order == 1)
@@ -99,52 +99,54 @@ float SATMassFull(int order, float widthTexels)
     return order == 1 ? widthTexels : order == 2 ? square : square * widthTexels;
 }
 
-// SATWholeTail: what the outer texels of a whole kernel weigh on one side of an axis, as far as its middle.
-//
-//   texels  how many of the kernel's outer texels
-float SATWholeTail(int order, int widthTexels, int texels)
+// SATWholeSide: what the first `texels` weights of a whole kernel on one side of its middle add up to, the middle itself
+// left out. Sums of positive numbers only: where a kernel is much wider than the image, the difference of two of its
+// totals would have no digits left.
+float SATWholeSide(int order, int widthTexels, int texels)
 {
-    float outer = max(texels, 0);
-    float inner = max(texels - widthTexels, 0);
+    float w = widthTexels;
+    float n = min(texels, order * (widthTexels - 1) / 2);
     if (order == 1)
-        return outer;
+        return n;
     if (order == 2)
-        return 0.5 * outer * (outer + 1.0);
-    return outer * (outer + 1.0) * (outer + 2.0) / 6.0 - 0.5 * inner * (inner + 1.0) * (inner + 2.0);
+        return n * w - 0.5 * n * (n + 1.0);
+    float inner = min(n, 0.5 * (w - 1.0));
+    float sum = inner * (0.75 * w * w + 0.25) - inner * (inner + 1.0) * (2.0 * inner + 1.0) / 6.0;
+    float outer = 1.5 * (w - 1.0) - inner;  // weights outside of the inner ones: r (r + 1) / 2, r falling to 1
+    float rest = 1.5 * (w - 1.0) - n;
+    return sum + (outer * (outer + 1.0) * (outer + 2.0) - rest * (rest + 1.0) * (rest + 2.0)) / 6.0;
 }
 
 // SATMassWhole: what the weights of SATSumWhole add up to inside the image, on one axis. `texel` is inside.
 float SATMassWhole(int order, int texel, int widthTexels, int sizeTexels)
 {
-    int reach = order * (widthTexels - 1) / 2;
-    return SATMassFull(order, widthTexels)
-                - SATWholeTail(order, widthTexels, reach - texel)
-                - SATWholeTail(order, widthTexels, reach - (sizeTexels - 1 - texel));
+    float w = widthTexels;
+    float middle = order == 1 ? 1.0 : order == 2 ? w : 0.75 * w * w + 0.25;
+    return middle + SATWholeSide(order, widthTexels, texel) + SATWholeSide(order, widthTexels, sizeTexels - 1 - texel);
 }
 
-// SATKernelBelow: the integral of the kernel of order n, of boxes of width 1 about 0, from the left up to t.
-float SATKernelBelow(int order, float t)
+// SATKernelSide: the integral of the kernel of order n, of boxes of width 1 about 0, from 0 to t.
+float SATKernelSide(int order, float t)
 {
+    float u = abs(t);
+    float side;
     if (order == 1)
-        return saturate(t + 0.5);
-    if (order == 2)
-    {
-        float u = saturate(1.0 - abs(t));
-        return t < 0.0 ? 0.5 * u * u : 1.0 - 0.5 * u * u;
-    }
-    float u = saturate(1.5 - abs(t));
-    float outer = u * u * u / 6.0;
-    float inner = t * (0.75 - t * t / 3.0);
-    if (abs(t) < 0.5)
-        return 0.5 + inner;
-    return t < 0.0 ? outer : 1.0 - outer;
+        side = min(u, 0.5);
+    else if (order == 2)
+        side = u < 1.0 ? u - 0.5 * u * u : 0.5;
+    else if (u < 0.5)
+        side = u * (0.75 - u * u / 3.0);
+    else
+        side = u < 1.5 ? 0.5 - (1.5 - u) * (1.5 - u) * (1.5 - u) / 6.0 : 0.5;
+    return t < 0.0 ? -side : side;
 }
 
-// SATMassOrder: what the kernel of SATSumOrder adds up to inside the image, on one axis; order 1 to 3.
+// SATMassOrder: what the kernel of SATSumOrder adds up to inside the image, on one axis; order 1 to 3. Without
+// cancellation where the centre is inside.
 float SATMassOrder(int order, float centreTexels, float widthTexels, int sizeTexels)
 {
-    return SATMassFull(order, widthTexels) * (SATKernelBelow(order, (sizeTexels - centreTexels) / widthTexels)
-                                            - SATKernelBelow(order, -centreTexels / widthTexels));
+    return SATMassFull(order, widthTexels) * (SATKernelSide(order, (sizeTexels - centreTexels) / widthTexels)
+                                            + SATKernelSide(order, centreTexels / widthTexels));
 }
 
 // The entries of an axis that a kernel of order n reads, and what each counts: at its n + 1 knots, n + 1 entries each,
@@ -209,9 +211,10 @@ SATKnot SATKnotOf(SATKnots k, int t)
 //
 // A wrapped entry cannot be weighted. So the table is first made to start at the kernel's middle: what the entries there
 // continue as is taken off every other, in integers. What is left are sums from the middle outwards, positive and
-// negative, no larger than twice the result: they fit into the words (SATBoxIsExact) and into float's digits.
+// negative: SATAxisMass bounds them.
 //
-// Error:  1e-5 of the largest code's filtered value (SATFilter.TentAndParabolicAreTheAnalyticFilter).
+// Range:  exact sums while SATBoxIsExact; else it is wrong.
+// Error:  1e-5 of the largest code's filtered value (SATOrder.TentAndParabolicAreTheAnalyticFilter).
 // Cost:   121 loads a word (order 2), 361 (order 3); more at the right and bottom rim (SATLoadOrder).
 float4 SATSumOrder(SATExactTable table, int2 extentTexels, int order, float2 centreTexels, float2 sizeTexels)
 {

@@ -19,39 +19,43 @@ using std::max;
 #define SAT_INLINE
 #endif
 
-// SATAxisMass: the most that a row of ones adds up to in any integer that the filter of an order makes on one axis.
+// SATAxisMass: the most that a row of ones adds up to in any integer that a filter makes on one axis.
 //
-//   order        1 box, 2 tent, 3 parabolic
 //   widthTexels  of the box that the kernel is made of; 1 at least
+//   order        1 box, 2 tent, 3 parabolic
+//   isWhole      SATSumWhole does it: whole widths on both axes. Boxes: no matter
 //
-// Whole widths of boxes and tents, and odd ones of parabolic filters, take widthTexels^order. Others read entries that
-// are summed from the middle of the kernel outwards (sat_order.hlsli): K (K + 1) / 2 and K (K + 1) (K + 2) / 6 for
-// entries K texels away, and one bit for their sign, half of it on either axis.
-SAT_INLINE float SATAxisMass(float widthTexels, int order)
+// SATSumWhole takes widthTexels^order. SATSumOrder reads entries that are summed from the middle of the kernel outwards:
+// K (K + 1) / 2 and K (K + 1) (K + 2) / 6 for entries K texels away, and one bit for their sign, half of it on either
+// axis.
+SAT_INLINE float SATAxisMass(float widthTexels, int order, bool isWhole)
 {
     float whole = ceil(widthTexels);
     if (order == 1)
         return whole;
-    float mass = order == 2 ? whole * whole : whole * whole * whole;
-    bool isWhole = whole == widthTexels && (order == 2 || whole - 2.0f * ceil(0.5f * whole - 0.5f) == 1.0f);
     if (isWhole)
-        return mass;
+        return order == 2 ? whole * whole : whole * whole * whole;
     float reach = order == 2 ? whole + 2.0f : 2.0f * whole + 3.0f;
     float entry = order == 2 ? reach * (reach + 1.0f) / 2.0f : reach * (reach + 1.0f) * (reach + 2.0f) / 6.0f;
-    return max(mass, 1.41421366f * entry);
+    return 1.4142137f * entry;
 }
 
 // SATBoxIsExact: whether an exact table is sure to hold the sum under a filter.
 //
 //   sizeTexels   width and height of the box that the kernel is made of; less than 1 is taken as 1
 //   order        1 box, 2 tent, 3 parabolic
+//   isWhole      SATSumWhole does it: whole widths on both axes. Boxes: no matter
 //   largestMass  (2^32 - 1) / largest code for one word, (2^64 - 1) / largest code for two; half of it where codes
 //                may be negative
 //
-// Never true where the sum may overflow. False up to 5e-7 below the bound, which leaves a margin for float's rounding.
-SAT_INLINE bool SATBoxIsExact(float2 sizeTexels, int order, float largestMass)
+// Never true where the sum may overflow, nor for parabolic kernels of boxes over 15,000 texels, whose continued entries
+// have weights over 32 bits. False up to 5e-7 below the bound, which leaves a margin for float's rounding.
+SAT_INLINE bool SATBoxIsExact(float2 sizeTexels, int order, bool isWhole, float largestMass)
 {
-    float mass = SATAxisMass(max(sizeTexels.x, 1.0f), order) * SATAxisMass(max(sizeTexels.y, 1.0f), order);
+    if (order == 3 && max(sizeTexels.x, sizeTexels.y) > 15000.0f)
+        return false;
+    float mass = SATAxisMass(max(sizeTexels.x, 1.0f), order, isWhole)
+               * SATAxisMass(max(sizeTexels.y, 1.0f), order, isWhole);
     return mass * 1.0000005f <= largestMass;
 }
 

@@ -45,5 +45,5 @@ float4 main(QuadVertex i) : SV_Target0
          : SATMassOrder(ORDER, texel.x + 0.5, sizeTexels.x, g.extentTexels.x)
          * SATMassOrder(ORDER, texel.y + 0.5, sizeTexels.y, g.extentTexels.y);
 #endif
-    return SATBoxIsExact(sizeTexels, ORDER, g.largestMass) ? sum / (mass * g.codeScale) : asfloat(0x7fc00000u).xxxx;
+    return SATBoxIsExact(sizeTexels, ORDER, WHOLE != 0, g.largestMass) ? sum / (mass * g.codeScale) : asfloat(0x7fc00000u).xxxx;
 }

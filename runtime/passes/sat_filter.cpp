@@ -43,10 +43,6 @@ const char* KernelName(const SATFilterDesc& desc) {
     return desc.boxes > 1 ? "disc" : kNames[desc.order - 1];
 }
 
-bool IsWhole(float widthTexels, uint32_t order) {
-    return widthTexels == std::floor(widthTexels) && order * (static_cast<uint32_t>(widthTexels) - 1) % 2 == 0;
-}
-
 Image OneTexelOfZero(Device& device) {
     Image image(device, {{1, 1}, Format::RGBA32F, "zero"});
     const glm::vec4 zero(0);
@@ -64,18 +60,24 @@ float SATLargestMass(SATPrecision precision, const SATCodes& codes) {
     return rounded > mass ? std::nextafter(rounded, 0.0f) : rounded;
 }
 
-uint32_t SATLargestWidthTexels(SATPrecision precision, const SATCodes& codes, uint32_t order) {
+uint32_t SATLargestWidthTexels(SATPrecision precision, const SATCodes& codes, uint32_t order, bool isWhole) {
     const float mass = SATLargestMass(precision, codes);
-    // Parabolic kernels of even widths are not whole, and need more.
-    const uint32_t step = order == 3 ? 2 : 1;
+    const uint32_t step = order == 3 && isWhole ? 2 : 1;
     uint32_t fits = 0, fails = kMaxWidthTexels / step + 1;
     const auto width = [&](uint32_t index) { return step * (index - 1) + 1; };
     while (fails - fits > 1) {
         const uint32_t middle = (fits + fails) / 2;
         const float2 size(static_cast<float>(width(middle)));
-        (SATBoxIsExact(size, static_cast<int>(order), mass) ? fits : fails) = middle;
+        (SATBoxIsExact(size, static_cast<int>(order), isWhole, mass) ? fits : fails) = middle;
     }
     return fits == 0 ? 0 : width(fits);
+}
+
+bool SATIsWhole(glm::vec2 sizeTexels, uint32_t order) {
+    const auto axis = [&](float width) {
+        return width == std::floor(width) && order * (static_cast<uint32_t>(width) - 1) % 2 == 0;
+    };
+    return axis(std::max(sizeTexels.x, 1.0f)) && axis(std::max(sizeTexels.y, 1.0f));
 }
 
 SATGaussian SATGaussianWithin(float relativeError) {
@@ -115,13 +117,14 @@ const Image& SATFilter::Record(CommandList& commands, TexelWords table, const SA
     const bool isRepeated = m_desc.edge == SATEdge::Repeat || m_desc.edge == SATEdge::Mirror;
     const glm::vec2 size = glm::max(widths.maxTexels, glm::vec2(1));
     const float largestMass = SATLargestMass(m_desc.precision, m_desc.codes);
-    if (!isFloat && !widths.map && !SATBoxIsExact(size, static_cast<int>(m_desc.order), largestMass))
-        throw Error(
-            "a {} of {} x {} texels over codes up to {:.0f} may not fit into {} bits: {} holds widths up to {}",
-            KernelName(m_desc), size.x, size.y, m_desc.codes.largest, 32 * WordsOf(m_desc.precision),
-            SATPrecisionName(m_desc.precision), SATLargestWidthTexels(m_desc.precision, m_desc.codes, m_desc.order));
     const bool whole = !isFloat && !widths.map && m_desc.boxes == 1 && m_desc.sides == 0 && !isRepeated &&
-                       IsWhole(size.x, m_desc.order) && IsWhole(size.y, m_desc.order);
+                       SATIsWhole(size, m_desc.order);
+    if (!isFloat && !widths.map && !SATBoxIsExact(size, static_cast<int>(m_desc.order), whole, largestMass)) {
+        const uint32_t side = SATLargestWidthTexels(m_desc.precision, m_desc.codes, m_desc.order, whole);
+        throw Error("a {} of {} x {} texels over codes up to {:.0f} may not fit into {} bits: {} holds {} x {}",
+                    KernelName(m_desc), size.x, size.y, m_desc.codes.largest, 32 * WordsOf(m_desc.precision),
+                    SATPrecisionName(m_desc.precision), side, side);
+    }
 
     const Image& map = widths.map ? *widths.map : m_zero;
     const SATFilterConstants constants{int2(tableExtent.widthTexels, tableExtent.heightTexels),

@@ -33,9 +33,15 @@ struct SATCodes {
 // The mass that a kernel over codes may have (hlsl/boxcar/sat_range.h), rounded down.
 float SATLargestMass(SATPrecision precision, const SATCodes& codes);
 
-// The largest whole width (odd for order 3), at most 32768, whose kernel is exact in such a table; 0 if not even that
-// of 1 is.
-uint32_t SATLargestWidthTexels(SATPrecision precision, const SATCodes& codes, uint32_t order);
+// Whether widths are whole as SATSumWhole takes them: whole for tents, odd for boxes and parabolic
+// kernels; below 1 acts as 1.
+bool SATIsWhole(glm::vec2 sizeTexels, uint32_t order);
+
+// The largest width, a whole number (odd for order 3 and `isWhole`) of at most 32768, whose square kernel is exact in
+// such a table; 0 if not even that of 1 is.
+//
+//   isWhole  for whole widths (SATIsWhole); else for any, as maps of widths have them
+uint32_t SATLargestWidthTexels(SATPrecision precision, const SATCodes& codes, uint32_t order, bool isWhole = true);
 
 // The kernel that stands for a Gaussian of standard deviation sigma: boxes of width widthOverSigma * sigma.
 struct SATGaussian {
@@ -62,7 +68,8 @@ struct SATFilterDesc {
     SATCodes codes = {};                   // for integers
 };
 
-// The width and height of the boxes at each texel: any real; below 1 acts as 1.
+// The width and height of the boxes at each texel: any real; below 1 acts as 1. With a map, orders 2 and 3 are the
+// continuous kernels at whole widths too, so that nothing jumps: width 1 spreads a texel a little (docs/adr/0004).
 struct SATWidths {
     SATWidths(glm::vec2 sizeTexels) : minTexels(sizeTexels), maxTexels(sizeTexels) {}
     SATWidths(const Image& widthMap, glm::vec2 from, glm::vec2 to) : minTexels(from), maxTexels(to), map(&widthMap) {}

@@ -52,8 +52,8 @@ SummedAreaTable::SummedAreaTable(Device& device, const SummedAreaTableDesc& desc
     if (desc.precision == SATPrecision::U64)
         m_high.emplace(device, ImageDesc{desc.extent, Format::RGBA32UI, "summed-area table, upper words"});
     for (int axis = 0; axis < 2; axis++)
-        for (uint32_t i = 0; i < desc.order; i++)
-            AddAxis(axis);
+        for (uint32_t time = 0; time < desc.order; time++)
+            AddAxis(axis, time);
     for (const Step& step : m_steps)
         if (!m_passes.contains(step.taps)) m_passes.emplace(step.taps, Pipeline(device, PassShaders(step.taps)));
     if (desc.precision == SATPrecision::FP32)
@@ -77,7 +77,8 @@ PipelineDesc SummedAreaTable::PassShaders(uint32_t taps) const {
 // sums into this target already. (taps^i, as the paper has it, would leave stale texels in one of the two targets.)
 // The first two passes of all write everything: until then a target holds nothing. So do those of an origin inside
 // the image: what they could leave out lies in the middle.
-void SummedAreaTable::AddAxis(int axis) {
+void SummedAreaTable::AddAxis(int axis, uint32_t time) {
+    constexpr const char* kTimes[] = {"", "2nd ", "3rd "};
     const uint32_t size = axis == 0 ? m_desc.extent.widthTexels : m_desc.extent.heightTexels;
     const uint32_t origin = static_cast<uint32_t>(OriginTexels(m_desc.origin, m_desc.extent)[axis]);
     const uint32_t length = std::max(origin, size - origin);
@@ -94,7 +95,8 @@ void SummedAreaTable::AddAxis(int axis) {
             taps /= 2;
         glm::ivec2 strideTexels(0);
         strideTexels[axis] = static_cast<int>(stride);
-        m_steps.push_back({fmt::format("table {}{}", axis == 0 ? 'x' : 'y', i), taps, strideTexels, area});
+        m_steps.push_back(
+            {fmt::format("{}table {}{}", kTimes[time], axis == 0 ? 'x' : 'y', i), taps, strideTexels, area});
     }
 }
 

@@ -97,7 +97,7 @@ private:
         Rect area;
     };
 
-    void AddAxis(int axis);
+    void AddAxis(int axis, uint32_t time);
     PipelineDesc PassShaders(uint32_t taps) const;
     TexelWords Front() const;
 

@@ -27,7 +27,8 @@ std::vector<double> LightOfCodes(SampleType stored) {
 
 }  // namespace
 
-SATCodes CodesFor(const Picture& picture, const std::string& name, Transfer transfer, SATPrecision precision) {
+SATCodes CodesFor(const Picture& picture, const std::string& name, Transfer transfer, SATPrecision precision,
+                  Rounding rounding) {
     if (picture.stored != SampleType::Float32) {
         const double largest = transfer == Transfer::Srgb ? kLinearLargest : LargestCode(picture.stored);
         return {static_cast<float>(largest), largest, false};
@@ -36,12 +37,16 @@ SATCodes CodesFor(const Picture& picture, const std::string& name, Transfer tran
         throw Error("{}: u32 sums 8 and 16-bit pictures; a float picture takes u64 or fp32", name);
     SATCodes codes{static_cast<float>(kHalfScale), 0, false};
     for (size_t i = 0; i < picture.samples.size(); i++) {
-        const double code = picture.samples[i] * kHalfScale;
-        if (code != std::floor(code) || std::abs(code) >= kHalfLimit) {
+        const double code = std::round(picture.samples[i] * kHalfScale);
+        const auto refuse = [&](const char* why) {
             const size_t texel = i / picture.channels;
-            throw Error("{}: {:g} at ({}, {}) is no half float; u64 sums half floats exactly, fp32 takes any", name,
-                        picture.samples[i], texel % picture.widthTexels, texel / picture.widthTexels);
-        }
+            throw Error("{}: {:g} at ({}, {}) {}", name, picture.samples[i], texel % picture.widthTexels,
+                        texel / picture.widthTexels, why);
+        };
+        if (std::abs(code) >= kHalfLimit)
+            refuse("is beyond half floats; u64 sums values below 65536, fp32 takes any");
+        if (rounding == Rounding::Refuse && code != picture.samples[i] * kHalfScale)
+            refuse("is no half float; u64 sums half floats exactly, fp32 takes any");
         codes.largest = std::max(codes.largest, std::abs(code));
         codes.isSigned |= code < 0;
     }

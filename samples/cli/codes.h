@@ -2,7 +2,7 @@
 //
 //   8 and 16-bit files, raw   their own codes, 0..255 or 0..65535
 //   8 and 16-bit files, srgb  linear light, colours times alpha, as round(65535 v)
-//   float files               half floats: multiples of 2^-24, as v 2^24, in two words
+//   float files               v 2^24 in two words: every half float is a multiple of 2^-24; others are rounded to one
 #pragma once
 
 #include <glm/ext/vector_uint4.hpp>
@@ -14,9 +14,12 @@
 
 namespace boxcar {
 
-// What the codes of a picture stand for. Throws Error, which begins with `name`: a float picture for U32; a sample
-// that no half float is.
-SATCodes CodesFor(const Picture& picture, const std::string& name, Transfer transfer, SATPrecision precision);
+enum class Rounding { Refuse, Allow };
+
+// What the codes of a picture stand for. Throws Error, which begins with `name`: a float picture for U32; a sample of
+// 65536 or more; with Rounding::Refuse a sample that is no multiple of 2^-24.
+SATCodes CodesFor(const Picture& picture, const std::string& name, Transfer transfer, SATPrecision precision,
+                  Rounding rounding = Rounding::Refuse);
 
 // RGBA; channels that the picture does not have are 0. Two's complement.
 struct CodeWords {

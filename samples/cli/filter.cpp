@@ -25,9 +25,9 @@ struct FilterOptions : BatchOptions {
     std::string widthMin;
     std::string widthMax;
     std::string shapeWord = "box";
-    double gaussPercent = 5;
-    uint32_t discBoxes = 16;
-    uint32_t discSides = 0;
+    std::optional<double> gaussPercent;
+    std::optional<uint32_t> discBoxes;
+    std::optional<uint32_t> discSides;
     std::string edgeWord = "clip";
     int bits = 0;
 };
@@ -55,18 +55,25 @@ Kernel ParseKernel(const FilterOptions& options) {
     if (options.shapeWord == "tent") kernel.order = 2;
     if (options.shapeWord == "parabolic") kernel.order = 3;
     if (options.shapeWord == "disc") {
-        kernel.boxes = options.discBoxes;
-        kernel.sides = options.discSides;
+        kernel.boxes = options.discBoxes.value_or(16);
+        kernel.sides = options.discSides.value_or(0);
     }
     if (options.shapeWord == "gauss") {
+        const double percent = options.gaussPercent.value_or(5);
+        if (!(percent > 0)) throw UsageError("--gauss-error {:g}: expected percent, above 0", percent);
         try {
-            const SATGaussian gaussian = SATGaussianWithin(static_cast<float>(options.gaussPercent / 100));
+            const SATGaussian gaussian = SATGaussianWithin(static_cast<float>(percent / 100));
             kernel.order = gaussian.order;
             factor = gaussian.widthOverSigma;
         } catch (const Error& error) {
-            throw UsageError("--gauss-error {:g}: {}", options.gaussPercent, error.what());
+            throw UsageError("--gauss-error {:g}: {}", percent, error.what());
         }
     }
+    if (options.gaussPercent && options.shapeWord != "gauss")
+        throw UsageError("--gauss-error with --shape {}: it is for --shape gauss", options.shapeWord);
+    if ((options.discBoxes || options.discSides) && options.shapeWord != "disc")
+        throw UsageError("--disc-{} with --shape {}: it is for --shape disc", options.discBoxes ? "boxes" : "sides",
+                         options.shapeWord);
     if (options.widthMap.empty()) {
         if (options.width.empty()) throw UsageError("--width is missing: W or WxH in texels, or a --width-map");
         if (!options.widthMin.empty() || !options.widthMax.empty())
@@ -79,6 +86,10 @@ Kernel ParseKernel(const FilterOptions& options) {
         kernel.minTexels = factor * ParseSize("--width-min", options.widthMin);
         kernel.maxTexels = factor * ParseSize("--width-max", options.widthMax);
     }
+    const glm::vec2 widest = glm::max(kernel.minTexels, kernel.maxTexels);
+    if (std::max(widest.x, widest.y) > kMaxSizeTexels)
+        throw UsageError("--shape gauss of that width is made of boxes of {:.0f} texels; at most {:.0f} are possible",
+                         std::max(widest.x, widest.y), kMaxSizeTexels);
     return kernel;
 }
 
@@ -88,6 +99,8 @@ void RequirePossible(const FilterOptions& options) {
     const SATEdge edge = EdgeOf(options);
     const auto precision = PrecisionOf(options.table);
     RequireFloatOptionsFit(options.table);
+    if (options.widthMap == "-" && std::ranges::count(options.files.inputs, "-") > 0)
+        throw UsageError("--width-map - and IN -: both would read standard input");
     const bool integers = precision ? *precision != SATPrecision::FP32 : kernel.order > 1;
     if (kernel.order > 1 && !integers)
         throw UsageError("--shape {} with --precision fp32: floats hold boxes and discs; use u32 or u64",
@@ -109,30 +122,31 @@ SampleType OutputSampleType(const Job& job, const Picture& picture, int bits) {
     return bits == 16 ? SampleType::Unorm16 : SampleType::Unorm8;
 }
 
-// Of u32 and u64 the first that holds the kernel. Throws Error where none does.
-SATPrecision ExactPrecision(const Picture& picture, const std::string& name, Transfer transfer,
-                            const Kernel& kernel) {
-    if (picture.stored != SampleType::Float32) {
-        const SATCodes codes = CodesFor(picture, name, transfer, SATPrecision::U32);
-        if (SATBoxIsExact(glm::max(kernel.minTexels, kernel.maxTexels), static_cast<int>(kernel.order),
-                          SATLargestMass(SATPrecision::U32, codes)))
-            return SATPrecision::U32;
-    }
-    return SATPrecision::U64;
+// Of u32 and u64 the first that holds the kernel, or u64.
+SATPrecision ExactPrecision(const Picture& picture, const std::string& name, Transfer transfer, const Kernel& kernel,
+                            bool hasMap) {
+    if (picture.stored == SampleType::Float32) return SATPrecision::U64;
+    const SATCodes codes = CodesFor(picture, name, transfer, SATPrecision::U32);
+    const glm::vec2 size = glm::max(kernel.minTexels, kernel.maxTexels);
+    const bool isWhole = !hasMap && SATIsWhole(size, kernel.order);
+    return SATBoxIsExact(size, static_cast<int>(kernel.order), isWhole, SATLargestMass(SATPrecision::U32, codes))
+               ? SATPrecision::U32
+               : SATPrecision::U64;
 }
 
-// One channel's worth of texels for the device: a map of widths, of the picture's extent.
-Picture ReadWidthMap(const std::string& path, const Picture& picture, const Device& device,
-                     const ReadOptions& options) {
-    Picture map = ReadForDevice(path, device, options);
+// A map of widths, of the picture's extent, for the device.
+std::vector<glm::vec4> ReadWidthMap(const std::string& path, const Picture& picture, const Device& device,
+                                    const ReadOptions& options) {
+    const Picture map = ReadForDevice(path, device, options);
     if (map.widthTexels != picture.widthTexels || map.heightTexels != picture.heightTexels)
         throw Error("{}: {} x {} texels; the map of widths must be as large as the picture, {} x {}", path,
                     map.widthTexels, map.heightTexels, picture.widthTexels, picture.heightTexels);
-    for (const float sample : map.samples)
-        if (sample < 0 || sample > 1)
-            throw Error("{}: {:g} in the map of widths; it takes values from 0 (--width-min) to 1 (--width-max)",
-                        path, sample);
-    return map;
+    std::vector<glm::vec4> texels = ToLight(map, Transfer::Raw);
+    for (const glm::vec4& texel : texels)
+        if (texel.r < 0 || texel.r > 1)
+            throw Error("{}: {:g} in the red of the map of widths; it takes 0 (--width-min) to 1 (--width-max)", path,
+                        texel.r);
+    return texels;
 }
 
 template <typename Texel>
@@ -166,9 +180,11 @@ BlurDesc BlurFor(const Picture& picture, const std::string& name, Transfer trans
     if (const auto asked = PrecisionOf(options.table))
         desc.precision = *asked;
     else if (kernel.order > 1)
-        desc.precision = ExactPrecision(picture, name, transfer, kernel);
+        desc.precision = ExactPrecision(picture, name, transfer, kernel, !options.widthMap.empty());
     if (desc.precision != SATPrecision::FP32)
-        desc.codes = CodesFor(picture, name, transfer, desc.precision);
+        // Who asks for integers wants them exact; who asks for a tent wants a tent.
+        desc.codes = CodesFor(picture, name, transfer, desc.precision,
+                              PrecisionOf(options.table) ? Rounding::Refuse : Rounding::Allow);
     else if (options.table.biasWord == "half")
         desc.bias = BlurBias::Half;
     else if (options.table.biasWord == "mean" ||
@@ -220,9 +236,17 @@ std::vector<glm::vec4> FilterBands(Device& device, const BandedPicture& source, 
                                    Stats& stats) {
     const Extent2D extent = desc.extent;
     const bool isRepeated = desc.edge == SATEdge::Repeat || desc.edge == SATEdge::Mirror;
-    const double reach = std::ceil(0.5 * kernel.order * std::max(1.0f, desc.largestTexels.y)) + 1;
+    const glm::dvec2 reach =
+        glm::ceil(0.5 * kernel.order * glm::dvec2(glm::max(desc.largestTexels, glm::vec2(1)))) + 1.0;
+    const glm::dvec2 extended = glm::dvec2(extent.widthTexels, extent.heightTexels) + 2.0 * reach;
+    const uint32_t largestSide = device.Limits().maxSideTexels;
+    if (isRepeated && desc.order > 1 && std::max(extended.x, extended.y) > largestSide)
+        throw Error(
+            "a kernel that reaches {:.0f} x {:.0f} texels over a repeated picture extends it to {:.0f} x {:.0f}; "
+            "this device takes {} a side: a smaller --width, a box, or --edge clip",
+            reach.x, reach.y, extended.x, extended.y, largestSide);
     const std::vector<Band> bands = isRepeated ? std::vector<Band>{{0, extent.heightTexels, 0, extent.heightTexels}}
-                                               : PlanBands(extent, static_cast<uint32_t>(reach));
+                                               : PlanBands(extent, static_cast<uint32_t>(reach.y));
     std::vector<glm::vec4> filtered;
     filtered.reserve(extent.Texels());
     for (const Band& band : bands) {
@@ -246,16 +270,20 @@ std::vector<glm::vec4> FilterBands(Device& device, const BandedPicture& source, 
     return filtered;
 }
 
-// One line for texels that the filter marked as NaN.
-void ReportMarked(const std::vector<glm::vec4>& texels, const BlurDesc& desc, const std::string& name) {
-    const auto marked = std::ranges::count_if(texels, [](const glm::vec4& texel) { return std::isnan(texel.x); });
-    if (marked > 0)
-        fmt::print(
-            stderr,
-            "boxcar: {}: {} texels need wider sums than {} holds (widths over {}) and are marked, NaN in float "
-            "files and magenta in others\n",
-            name, marked, SATPrecisionName(desc.precision),
-            SATLargestWidthTexels(desc.precision, desc.codes, desc.order));
+// One line for texels that the filter marked as NaN, because their width asks for more than the words hold. Throws
+// Error where floats have overflowed.
+void ReportMarked(const std::vector<glm::vec4>& texels, const BlurDesc& desc, const Picture& picture,
+                  SampleType sampleType) {
+    const auto marked = std::ranges::count_if(texels, [](const glm::vec4& texel) { return !IsFinite(texel); });
+    if (marked == 0) return;
+    if (desc.precision == SATPrecision::FP32)
+        throw Error("its sums are beyond float32's largest number; scale its samples down");
+    const uint32_t side = SATLargestWidthTexels(desc.precision, desc.codes, desc.order, false);
+    fmt::print(stderr, "boxcar: {} of {} texels ask for wider sums than {} holds ({} x {}) and are marked, as {}\n",
+               marked, texels.size(), SATPrecisionName(desc.precision), side, side,
+               sampleType == SampleType::Float32 ? "NaN"
+               : picture.channels > 2            ? "magenta"
+                                                 : "white");
 }
 
 Stats Filter(Device& device, const Job& job, const FilterOptions& options) {
@@ -263,6 +291,7 @@ Stats Filter(Device& device, const Job& job, const FilterOptions& options) {
     const Picture picture = ReadForDevice(job.input, device, options.read);
     RequireWritable(job.output, job.format, picture.channels);
     const Transfer transfer = TransferFor(picture, options.read);
+    const SampleType sampleType = OutputSampleType(job, picture, options.bits);
     const BlurDesc desc = BlurFor(picture, job.input, transfer, kernel, options);
 
     Stats stats{.input = job.input, .output = job.output, .extent = desc.extent, .passes = {}};
@@ -272,17 +301,15 @@ Stats Filter(Device& device, const Job& job, const FilterOptions& options) {
         // The box of one texel is the texel: no table, and so none of its rounding.
         texels = ToLight(picture, transfer);
     } else {
-        std::vector<glm::vec4> map;
-        if (!options.widthMap.empty())
-            map = ToLight(ReadWidthMap(options.widthMap, picture, device, options.read), Transfer::Raw);
         try {
+            std::vector<glm::vec4> map;
+            if (!options.widthMap.empty()) map = ReadWidthMap(options.widthMap, picture, device, options.read);
             texels = FilterBands(device, {picture, transfer, desc.precision, std::move(map)}, desc, kernel, stats);
+            ReportMarked(texels, desc, picture, sampleType);
         } catch (const Error& error) {
             throw Error("{}: {}", job.input, error.what());
         }
-        ReportMarked(texels, desc, job.input);
     }
-    const SampleType sampleType = OutputSampleType(job, picture, options.bits);
     WritePicture(FromLight(texels, picture, transfer, sampleType), job.output, job.format, sampleType);
     return stats;
 }
@@ -300,7 +327,10 @@ void AddFilterCommand(CLI::App& app) {
         "cut\n"
         "texels. Tents of whole W, and parabolic kernels of odd W, are the box of W texels taken two and three "
         "times,\n"
-        "exactly; others are the continuous kernel over the picture. Float outputs hold the filtered values (under\n"
+        "exactly; others, and all of a map, are the continuous kernel over the picture, which at width 1 still "
+        "spreads a\n"
+        "texel a little. They are summed in integers, float files as multiples of 2^-24. Float outputs hold the "
+        "filtered values (under\n"
         "srgb: linear, colours times alpha); 8 and 16-bit outputs are encoded under srgb.\n\n"
         "Examples:\n"
         "  boxcar filter photo.jpg -o blurred.png --width 9\n"
@@ -350,7 +380,11 @@ void AddFilterCommand(CLI::App& app) {
         ->type_name("B");
     command.callback([options] {
         RequirePossible(*options);
-        RunBatch("filter", *options, PlanJobs(options->files),
+        const std::vector<Job> jobs = PlanJobs(options->files);
+        for (const Job& job : jobs)
+            if (options->bits != 0 && job.format != FileFormat::Png)
+                throw UsageError("--bits {} with -o {}: it is for PNG", options->bits, job.output);
+        RunBatch("filter", *options, jobs,
                  [&](Device& device, const Job& job) { return Filter(device, job, *options); });
     });
 }

@@ -25,10 +25,10 @@ Picture FromLight(const std::vector<glm::vec4>& texels, const Picture& like, Tra
     Picture picture{like.widthTexels, like.heightTexels, like.channels, sampleType, {}};
     picture.samples.reserve(texels.size() * like.channels);
     const int channels = static_cast<int>(picture.channels);
-    // In an integer file, magenta marks what is not a number: (1, 0, 1, 1).
+    // Integer files mark what is not a number: magenta, or white where there is no colour; opaque.
     const bool marksInColour = sampleType != SampleType::Float32;
     for (const glm::vec4& texel : texels) {
-        const bool isMarked = marksInColour && std::isnan(texel.x);
+        const bool isMarked = marksInColour && !IsFinite(texel);
         for (int c = 0; c < channels; c++)
             picture.samples.push_back(isMarked ? (c == 1 && channels > 2 ? 0.0f : 1.0f) : texel[c]);
     }
@@ -37,6 +37,10 @@ Picture FromLight(const std::vector<glm::vec4>& texels, const Picture& like, Tra
         EncodeSrgb(picture);
     }
     return picture;
+}
+
+bool IsFinite(const glm::vec4& texel) {
+    return std::isfinite(texel.x) && std::isfinite(texel.y) && std::isfinite(texel.z) && std::isfinite(texel.w);
 }
 
 }  // namespace boxcar

@@ -14,8 +14,12 @@ namespace boxcar {
 std::vector<glm::vec4> ToLight(Picture picture, Transfer transfer);
 
 // The picture that `texels` are to be in a file with samples of `sampleType`. Under Srgb, integers hold sRGB codes
-// and colours not multiplied by alpha; floats hold the texels as they are.
+// and colours not multiplied by alpha; floats hold the texels as they are. In integers a texel that is not finite
+// becomes magenta, in grey pictures white.
 Picture FromLight(const std::vector<glm::vec4>& texels, const Picture& like, Transfer transfer,
                   SampleType sampleType);
+
+// Whether no channel is NaN or infinite.
+bool IsFinite(const glm::vec4& texel);
 
 }  // namespace boxcar

@@ -9,8 +9,6 @@
 namespace boxcar {
 namespace {
 
-constexpr double kMaxSizeTexels = 32768;
-
 double ParseLength(const std::string& flag, const std::string& whole, std::string_view text) {
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -97,7 +95,7 @@ void AddTableOptions(CLI::App& command, TableOptions& options, const std::string
     command
         .add_option(
             "--origin", options.originWord,
-            "Where sums start (fp32): corner, the upper left (default); center, which rounds less; lower-left")
+            "Where sums start: corner, the upper left (default); center, which rounds less (fp32); lower-left")
         ->check(CLI::IsMember({"corner", "center", "lower-left"}))
         ->type_name("O");
 }

@@ -65,8 +65,11 @@ void AddTableOptions(CLI::App& command, TableOptions& options, const std::string
 std::optional<SATPrecision> PrecisionOf(const TableOptions& options);
 SATOrigin OriginOf(const TableOptions& options);
 
-// Throws UsageError: a bias, or sums from elsewhere than the corner, for integers.
+// Throws UsageError: a bias, or sums from the center, for integers.
 void RequireFloatOptionsFit(const TableOptions& options);
+
+// The largest width that a command takes: twice the largest side.
+constexpr float kMaxSizeTexels = 32768;
 
 // "W" or "WxH": real numbers above 0 and at most 32768 (twice the largest side). Throws UsageError naming the flag.
 glm::vec2 ParseSize(const std::string& flag, const std::string& text);

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <memory>
@@ -21,12 +22,6 @@ struct SatOptions : BatchOptions {
     bool explain = false;
 };
 
-// The bits of one sample as it is summed.
-uint32_t SampleBits(const Picture& picture, Transfer transfer) {
-    if (picture.stored == SampleType::Float32) return 24;
-    return picture.stored == SampleType::Unorm8 && transfer == Transfer::Raw ? 8 : 16;
-}
-
 const char* WhatIsSummed(const Picture& picture, Transfer transfer, SATPrecision precision) {
     const bool isFloat = precision == SATPrecision::FP32;
     if (picture.stored == SampleType::Float32) return isFloat ? "the file's floats" : "the file's floats times 2^24";
@@ -35,11 +30,29 @@ const char* WhatIsSummed(const Picture& picture, Transfer transfer, SATPrecision
     return isFloat ? "the file's codes over the largest" : "the file's codes";
 }
 
+// The largest code that integers would sum, and whether there are negative ones.
+SATCodes CodesToExplain(const Picture& picture, Transfer transfer) {
+    if (picture.stored != SampleType::Float32) return CodesFor(picture, "", transfer, SATPrecision::U64);
+    SATCodes codes{0x1p24f, 0, false};
+    for (const float sample : picture.samples) {
+        codes.largest = std::max(codes.largest, std::abs(std::round(sample * 0x1p24)));
+        codes.isSigned |= sample < 0;
+    }
+    return codes;
+}
+
+std::string WidestText(SATPrecision words, const SATCodes& codes, uint32_t order) {
+    const uint32_t width = SATLargestWidthTexels(words, codes, order);
+    return width >= static_cast<uint32_t>(kMaxSizeTexels) ? fmt::format("{} and more", width)
+                                                          : fmt::format("{}", width);
+}
+
 // Hensley 2005, sect. 2.1 and 2.2 (the bits of a table, and of one of order n)
 void Explain(const Job& job, const Picture& picture, Transfer transfer, SATPrecision precision,
              const SatOptions& options, glm::vec4 bias) {
     const Extent2D extent{picture.widthTexels, picture.heightTexels};
-    const uint32_t bits = SampleBits(picture, transfer);
+    const SATCodes codes = CodesToExplain(picture, transfer);
+    const auto bits = static_cast<uint32_t>(std::ceil(std::log2(codes.largest + 1))) + (codes.isSigned ? 1 : 0);
     fmt::print(stderr, "{} -> {}: table of order {}, {}\n", job.input, job.output, options.order,
                SATPrecisionName(precision));
     fmt::print(stderr, "  sums     of {}, from the {}\n", WhatIsSummed(picture, transfer, precision),
@@ -53,10 +66,10 @@ void Explain(const Job& job, const Picture& picture, Transfer transfer, SATPreci
                SummedAreaTableBits(extent, bits, 2), SummedAreaTableBits(extent, bits, 3));
     fmt::print(stderr, "  modular  log2(kernel's mass) + P_i, whatever w and h are:\n");
     for (const SATPrecision words : {SATPrecision::U32, SATPrecision::U64}) {
-        const SATCodes codes{1, std::ldexp(1.0, static_cast<int>(bits)) - 1, false};
-        fmt::print(stderr, "           {} holds boxes to {} texels wide, tents of {}, parabolic kernels of {}\n",
-                   SATPrecisionName(words), SATLargestWidthTexels(words, codes, 1),
-                   SATLargestWidthTexels(words, codes, 2), SATLargestWidthTexels(words, codes, 3));
+        if (words == SATPrecision::U32 && picture.stored == SampleType::Float32) continue;
+        fmt::print(stderr, "           {} holds boxes {} texels wide, tents of {}, parabolic kernels of {}\n",
+                   SATPrecisionName(words), WidestText(words, codes, 1), WidestText(words, codes, 2),
+                   WidestText(words, codes, 3));
     }
 }
 
@@ -135,8 +148,11 @@ Stats WriteTable(Device& device, const Job& job, const SatOptions& options) {
     }
     const Image& sums = *table.Record(commands, source, bias).low;
     finish();
-    WritePicture(FromLight(Download<glm::vec4>(device, sums), picture, transfer, SampleType::Float32), job.output,
-                 job.format, SampleType::Float32);
+    const std::vector<glm::vec4> entries = Download<glm::vec4>(device, sums);
+    if (!std::ranges::all_of(entries, IsFinite))
+        throw Error("{}: its sums are beyond float32's largest number; scale its samples down", job.input);
+    WritePicture(FromLight(entries, picture, transfer, SampleType::Float32), job.output, job.format,
+                 SampleType::Float32);
     if (options.explain)
         Explain(job, picture, transfer, precision, options,
                 bias ? Download<glm::vec4>(device, *bias)[0] : glm::vec4(0));

@@ -33,7 +33,7 @@ void PrintStats(const Stats& stats, const DeviceInfo& device) {
     fmt::print(stderr, "{} -> {}: {} x {}\n  device   {}, {}\n", stats.input, stats.output, stats.extent.widthTexels,
                stats.extent.heightTexels, device.name, device.driver);
     for (const PassTime& pass : stats.passes)
-        fmt::print(stderr, "  {:8} {:9.3f} ms\n", pass.name, pass.milliseconds);
+        fmt::print(stderr, "  {:14} {:9.3f} ms\n", pass.name, pass.milliseconds);
     fmt::print(stderr, "  {} passes {:.3f} ms; device memory {:.1f} MiB, {:.1f} MiB of it the {}table's\n",
                stats.passes.size(), TotalMilliseconds(stats), static_cast<double>(stats.deviceBytes) / (1 << 20),
                static_cast<double>(stats.tableBytes) / (1 << 20),

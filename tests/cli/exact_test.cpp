@@ -146,7 +146,7 @@ TEST(Sat, ExplainsWhatWasSummedAndHowManyBitsItTakes) {
     // Erratum: 40 bits for the second order, where the paper's text has 44.
     EXPECT_NE(outcome.err.find("40.00 (n = 2), 56.00 (n = 3)"), std::string::npos) << outcome.err;
     EXPECT_NE(outcome.err.find("bias     0.5 0.5 0.5 0.5 taken off"), std::string::npos) << outcome.err;
-    EXPECT_NE(outcome.err.find("u32 holds boxes to 4104 texels wide, tents of 64, parabolic kernels of 15"),
+    EXPECT_NE(outcome.err.find("u32 holds boxes 4104 texels wide, tents of 64, parabolic kernels of 15"),
               std::string::npos)
         << outcome.err;
 }
@@ -220,6 +220,27 @@ TEST(Filter, TentsAndParabolicKernelsOfWholeWidthsAreTheRepeatedBox) {
     }
 }
 
+// Floats that no half float is are rounded to 2^-24 for a tent, unless integers were asked for.
+TEST(Filter, TentsTakeAnyFloatBelowTheLargestHalf) {
+    const Folder folder;
+    Picture picture = RandomPicture(20, 16, 1, SampleType::Float32);
+    picture.samples[7] = -3.14159f;
+    WritePicture(picture, folder.Path("in.pfm"), FileFormat::Pfm, SampleType::Float32);
+    ASSERT_EQ(folder.Run("filter in.pfm -o out.pfm --width 4.5 --shape tent").exitCode, 0);
+    const Picture filtered = ReadPicture(folder.Path("out.pfm"));
+    const auto light = ReferenceLight(picture, false);
+    for (int y = 0; y < 16; y++)
+        for (int x = 0; x < 20; x++)
+            ASSERT_NEAR(filtered.samples[static_cast<size_t>(y * 20 + x)],
+                        reference::FilterMean(light, 2, x + 0.5, y + 0.5, 4.5, 4.5, Border::Clip)[0], 1e-5);
+    picture.samples[7] = 70000;
+    WritePicture(picture, folder.Path("in.pfm"), FileFormat::Pfm, SampleType::Float32);
+    const Outcome outcome = folder.Run("filter in.pfm -o out.pfm --width 4.5 --shape tent");
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_EQ(outcome.err,
+              "boxcar: in.pfm: 70000 at (7, 0) is beyond half floats; u64 sums values below 65536, fp32 takes any\n");
+}
+
 TEST(Filter, AMapOfWidthsGivesEachTexelItsOwn) {
     const Folder folder;
     const Picture picture = RandomPicture(30, 20, 3, SampleType::Unorm8),
@@ -255,16 +276,65 @@ TEST(Filter, WidthsOfAMapThatDoNotFitAreMarkedAndSaidSo) {
     const std::string flags = " --precision u32 --width-map map.png --width-min 3 --width-max 300";
     const Outcome outcome = folder.Run("filter in.png -o out.png" + flags);
     EXPECT_EQ(outcome.exitCode, 0);
-    EXPECT_EQ(
-        outcome.err,
-        "boxcar: in.png: 2 texels need wider sums than u32 holds (widths over 256) and are marked, NaN in float "
-        "files and magenta in others\n");
+    EXPECT_EQ(outcome.err,
+              "boxcar: 2 of 600 texels ask for wider sums than u32 holds (256 x 256) and are marked, as magenta\n");
     const Picture filtered = ReadPicture(folder.Path("out.png"));
     EXPECT_EQ(std::vector<float>(&filtered.samples[15], &filtered.samples[18]), std::vector<float>({1, 0, 1}));
     ASSERT_EQ(folder.Run("filter in.png -o out.pfm" + flags).exitCode, 0);
     const Picture floats = ReadPicture(folder.Path("out.pfm"));
     EXPECT_TRUE(std::isnan(floats.samples[300]) && std::isnan(floats.samples[15]));
     EXPECT_FALSE(std::isnan(floats.samples[12]));
+    WritePicture(RandomPicture(30, 20, 2, SampleType::Unorm8), folder.Path("in.png"), FileFormat::Png,
+                 SampleType::Unorm8);
+    const Outcome grey = folder.Run("filter in.png -o out.png" + flags);
+    EXPECT_EQ(grey.err,
+              "boxcar: 2 of 600 texels ask for wider sums than u32 holds (256 x 256) and are marked, as white\n");
+    EXPECT_EQ(ReadPicture(folder.Path("out.png")).samples[10], 1);
+}
+
+// Sums of floats that end in infinity are no picture, whichever channel they are in.
+TEST(Filter, RefusesSumsBeyondFloat32) {
+    const Folder folder;
+    Picture picture{8, 4, 3, SampleType::Float32, std::vector<float>(96, 0.5f)};
+    for (size_t i = 1; i < 96; i += 3)
+        picture.samples[i] = 3e38f;
+    WritePicture(picture, folder.Path("in.pfm"), FileFormat::Pfm, SampleType::Float32);
+    for (const char* command :
+         {"filter in.pfm -o out.pfm --width 3", "filter in.pfm -o out.png --width 3", "sat in.pfm -o out.pfm"}) {
+        const Outcome outcome = folder.Run(command);
+        EXPECT_EQ(outcome.exitCode, 1) << command;
+        EXPECT_EQ(outcome.err,
+                  "boxcar: in.pfm: its sums are beyond float32's largest number; scale its samples down\n");
+        EXPECT_EQ(folder.Names(), std::vector<std::string>({"in.pfm"}));
+    }
+}
+
+// White under kernels that are long and thin: the range of a filter is that of both its axes, and each texel is 1.
+TEST(Filter, WhiteStaysWhiteUnderFlatKernels) {
+    const Folder folder;
+    Picture white{1400, 6, 1, SampleType::Unorm8, std::vector<float>(1400 * 6, 1.0f)};
+    WritePicture(white, folder.Path("white.png"), FileFormat::Png, SampleType::Unorm8);
+    WritePicture(white, folder.Path("map.png"), FileFormat::Png, SampleType::Unorm8);
+    const std::string map = "--width-map map.png --width-min 1 --width-max ";
+    for (const std::string& flags :
+         {std::string("--shape gauss --width 10x0.5"),
+          std::string("--shape parabolic --width 150.5x1 --transfer raw"),
+          std::string("--shape gauss --width 78x0.5 --transfer raw"),
+          std::string("--shape tent --width 4103.5x1 --transfer raw"),
+          std::string("--shape tent --width 5000.5 --transfer raw --precision u64"),
+          std::string("--shape tent --width 16384x1 --transfer raw --precision u64"),
+          std::string("--shape parabolic --width 501 --transfer raw --precision u64"),
+          std::string("--shape parabolic --width 14999x1 --transfer raw --precision u64"),
+          "--shape parabolic --transfer raw " + map + "15", "--shape parabolic --transfer raw " + map + "13",
+          "--shape tent --transfer raw " + map + "255x1"}) {
+        const Outcome outcome = folder.Run("filter white.png -o out.pfm " + flags);
+        ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+        EXPECT_EQ(outcome.err, "") << flags;
+        double worst = 0;
+        for (const float sample : ReadPicture(folder.Path("out.pfm")).samples)
+            worst = std::max(worst, std::abs(sample - 1.0));
+        EXPECT_LE(worst, 1e-5) << flags;
+    }
 }
 
 struct Refusal {
@@ -296,22 +366,28 @@ TEST(Filter, RefusesImpossibleCombinationsInOneLineEach) {
          "--origin center with --edge mirror: sums over a repeated picture start at the corner"},
         {"--shape gauss --width 3 --gauss-error 1", 2,
          "--gauss-error 1: a Gaussian within 1 %: the nearest kernel, the parabolic one, is within 4.2 %"},
+        {"--width 3 --gauss-error 5", 2, "--gauss-error with --shape box: it is for --shape gauss"},
+        {"--width 3 --shape gauss --gauss-error nan", 2, "--gauss-error nan: expected percent, above 0"},
+        {"--width 3 --shape tent --disc-sides 6", 2, "--disc-sides with --shape tent: it is for --shape disc"},
+        {"--width 20000 --shape gauss", 2,
+         "--shape gauss of that width is made of boxes of 38460 texels; at most 32768 are possible"},
+        {"--width 9000 --shape tent --edge repeat", 1,
+         "in.png: a kernel that reaches 9001 x 9001 texels over a repeated picture extends it to 18022 x 18012; this "
+         "device takes 16384 a side: a smaller --width, a box, or --edge clip"},
         {"", 2, "--width is missing: W or WxH in texels, or a --width-map"},
         {"--width 3 --width-map small.png", 2, "--width and --width-map: give one of them"},
         {"--width 3 --width-max 4", 2, "--width-min and --width-max belong to --width-map"},
         {"--width-map small.png --width-min 3", 2,
          "--width-map needs --width-min and --width-max, the widths for 0 and for white"},
         {"--width-map small.png --width-min 3 --width-max 9", 1,
-         "small.png: 4 x 4 texels; the map of widths must be as large as the picture, 20 x 10"},
+         "in.png: small.png: 4 x 4 texels; the map of widths must be as large as the picture, 20 x 10"},
         {"--width 65 --shape tent --precision u32 --transfer raw", 1,
-         "in.png: a tent of 65 x 65 texels over codes up to 255 may not fit into 32 bits: u32 holds widths up to 64"},
+         "in.png: a tent of 65 x 65 texels over codes up to 255 may not fit into 32 bits: u32 holds 64 x 64"},
         {"--width 647 --shape parabolic --transfer raw", 1,
          "in.png: a parabolic kernel of 647 x 647 texels over codes up to 255 may not fit into 64 bits: u64 holds "
-         "widths "
-         "up to 645"},
+         "645 x 645"},
         {"--width 257 --precision u32", 1,
-         "in.png: a box of 257 x 257 texels over codes up to 65535 may not fit into 32 bits: u32 holds widths up to "
-         "256"},
+         "in.png: a box of 257 x 257 texels over codes up to 65535 may not fit into 32 bits: u32 holds 256 x 256"},
     };
     for (const Refusal& refusal : refusals) {
         const Outcome outcome = folder.Run("filter in.png -o out.png " + refusal.arguments);
@@ -319,6 +395,12 @@ TEST(Filter, RefusesImpossibleCombinationsInOneLineEach) {
         EXPECT_EQ(outcome.err, "boxcar: " + refusal.line + "\n");
         EXPECT_EQ(folder.Names(), std::vector<std::string>({"in.png", "small.png"})) << refusal.arguments;
     }
+    const Outcome bits = folder.Run("filter in.png -o out.exr --width 3 --bits 16");
+    EXPECT_EQ(bits.exitCode, 2);
+    EXPECT_EQ(bits.err, "boxcar: --bits 16 with -o out.exr: it is for PNG\n");
+    const Outcome twice = folder.Run("filter - -o out.png --width-map - --width-min 1 --width-max 2 < in.png");
+    EXPECT_EQ(twice.exitCode, 2);
+    EXPECT_EQ(twice.err, "boxcar: --width-map - and IN -: both would read standard input\n");
     const Refusal tables[] = {
         {"-o t.exr --order 2", 2, "--order 2 with --precision fp32: floats hold order 1; use u32 or u64"},
         {"-o t.pfm --precision u32", 2, "-o t.pfm: a table of integers is written as .exr"},

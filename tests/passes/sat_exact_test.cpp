@@ -236,7 +236,7 @@ std::vector<glm::ivec2> PlacesIn(const reference::CodeImage& image) {
 // Whole widths: the sum is a whole number, to the last bit. It is turned into a float and divided by the mass; those
 // are the only roundings, and each is that of IEEE 754 where the device divides so.
 TEST(SATOrder, WholeWidthsAreTheRepeatedBoxOverTexelsExactly) {
-    for (const Extent2D extent : kExtents) {
+    for (const Extent2D extent : {Extent2D{1, 1}, Extent2D{6, 1}, Extent2D{12, 19}, Extent2D{49, 2}}) {
         const auto image = RandomCodeImage(extent, 39, 0, 255);
         for (uint32_t order = 1; order <= 3; order++) {
             for (const glm::ivec2 size : {glm::ivec2(1), glm::ivec2(3), glm::ivec2(5, 9), glm::ivec2(2, 4)}) {
@@ -497,28 +497,42 @@ TEST(ExactFilter, AWidthThatMayNotFitIsRefusedWithTheLargestThatDoes) {
     const auto image = RandomCodeImage(extent, 48, 0, 255);
     EXPECT_ERROR(BlurCodes(image, {.precision = SATPrecision::U32, .order = 2, .codes = {255, 255, false}},
                            SATWidths(glm::vec2(65))),
-                 "a tent of 65 x 65 texels over codes up to 255 may not fit into 32 bits: u32 holds widths up to 64");
+                 "a tent of 65 x 65 texels over codes up to 255 may not fit into 32 bits: u32 holds 64 x 64");
     EXPECT_NO_THROW(BlurCodes(image, {.precision = SATPrecision::U32, .order = 2, .codes = {255, 255, false}},
                               SATWidths(glm::vec2(64))));
 }
 
-// The widest kernels over white, where every sum is as large as it can be.
+// The widest kernels over white, where every sum is as large as it can be: whole and not, square and flat. The next
+// larger ones are refused.
 TEST(ExactFilter, WhiteStaysWhiteUnderTheWidestKernels) {
     for (const SATPrecision precision : kExact) {
         for (uint32_t order = 2; order <= 3; order++) {
-            const SATCodes codes{255, 255, false};
-            uint32_t width = SATLargestWidthTexels(precision, codes, order);
-            if (order == 3) width = std::min((width - 1) / 2 * 2 + 1, 101u);
-            width = std::min(width, 120u);
-            const uint32_t side = order * width + 9;
-            reference::CodeImage white{static_cast<int>(side), static_cast<int>(side), {}};
-            white.texels.assign(size_t{side} * side, {255, 255, 0, 255});
-            for (const float w : {static_cast<float>(width), static_cast<float>(width) * 0.625f}) {
-                if (!SATBoxIsExact(glm::vec2(w), static_cast<int>(order), SATLargestMass(precision, codes))) continue;
-                const Texels blurred = BlurCodes(white, {.precision = precision, .order = order, .codes = codes},
-                                                 SATWidths(glm::vec2(w)));
-                for (const uint32_t at : {0u, 1u, side / 2, side - 1})
-                    EXPECT_NEAR(blurred[size_t{at} * side + side / 2].x, 1, 2e-6) << "order " << order << ", " << w;
+            // Codes so large that the widest kernels are small enough to try.
+            const bool isWide = precision == SATPrecision::U64;
+            const SATCodes codes{1, isWide ? 0x1p40 - 1 : 255, false};
+            const auto largest = static_cast<int64_t>(codes.largest);
+            const float mass = SATLargestMass(precision, codes);
+            for (const bool isWhole : {true, false}) {
+                for (const bool isFlat : {false, true}) {
+                    const auto sizeOf = [&](float w) {
+                        return isFlat ? glm::vec2(w, isWhole ? 1.0f : 1.5f) : glm::vec2(w);
+                    };
+                    const float step = isWhole && order == 2 ? 1 : 2;
+                    float width = isWhole ? 1 : 1.5f;
+                    while (width < 600 && SATBoxIsExact(sizeOf(width + step), static_cast<int>(order), isWhole, mass))
+                        width += step;
+                    const uint32_t side = order * static_cast<uint32_t>(width) + 9;
+                    const uint32_t rows = isFlat ? 12 : side;
+                    reference::CodeImage white{static_cast<int>(side), static_cast<int>(rows), {}};
+                    white.texels.assign(size_t{side} * rows, {largest, largest, 0, largest});
+                    const BlurDesc desc{.precision = precision, .order = order, .codes = codes};
+                    for (const glm::vec4& texel : BlurCodes(white, desc, sizeOf(width)))
+                        ASSERT_NEAR(texel.x / static_cast<float>(largest), 1, 2e-6)
+                            << "order " << order << ", " << width << (isFlat ? " flat" : " square");
+                    if (width < 600) {
+                        EXPECT_THROW(BlurCodes(white, desc, sizeOf(width + step)), Error);
+                    }
+                }
             }
         }
     }
@@ -531,37 +545,40 @@ TEST(SATRange, TheLargestWholeWidthsOverEightBitWhiteAreThoseOfTheBound) {
     EXPECT_EQ(SATLargestWidthTexels(SATPrecision::U32, codes, 2), 64u);
     EXPECT_EQ(SATLargestWidthTexels(SATPrecision::U32, codes, 3), 15u);
     EXPECT_EQ(SATLargestWidthTexels(SATPrecision::U64, codes, 3), 645u);
-    const float mass32 = SATLargestMass(SATPrecision::U32, codes), mass64 = SATLargestMass(SATPrecision::U64, codes);
-    EXPECT_TRUE(SATBoxIsExact(float2(64), 2, mass32));
-    EXPECT_FALSE(SATBoxIsExact(float2(65), 2, mass32));
-    EXPECT_TRUE(SATBoxIsExact(float2(15), 3, mass32));
-    EXPECT_FALSE(SATBoxIsExact(float2(17), 3, mass32));
-    EXPECT_TRUE(SATBoxIsExact(float2(645), 3, mass64));
-    EXPECT_FALSE(SATBoxIsExact(float2(647), 3, mass64));
     const SATCodes light{65535, 65535, false};
     EXPECT_EQ(SATLargestWidthTexels(SATPrecision::U32, light, 1), 256u);
 }
 
-// Whatever it calls exact fits, in exact arithmetic.
-TEST(SATRange, IsNeverTrueWhereTheSumMayNotFit) {
+// Whatever it calls exact fits, in exact arithmetic: the kernel's own sum over white, and the sums from its middle
+// outwards of kernels that are not whole, which have a sign.
+TEST(SATRange, IsNeverTrueWhereASumMayNotFit) {
     std::mt19937 random(49);
-    for (int i = 0; i < 200000; i++) {
-        const int width = 1 + static_cast<int>(random() % 20000), height = 1 + static_cast<int>(random() % 20000);
-        const int order = 1 + static_cast<int>(random() % 3);
-        const double largest = 1 + static_cast<double>(random() % 65535);
-        __int128 mass = 1;
-        bool fits = true;
-        for (int n = 0; n < order && fits; n++) {
-            mass *= static_cast<__int128>(width) * height;
-            fits = mass <= static_cast<__int128>(1) << 90;
-        }
+    size_t exact = 0;
+    for (int i = 0; i < 400000; i++) {
+        const bool isWhole = random() % 2 == 0;
+        std::uniform_real_distribution<float> exponent(0, 14);
+        glm::vec2 size(std::exp2(exponent(random)), std::exp2(exponent(random)));
+        if (isWhole) size = 2.0f * glm::floor(size / 2.0f) + 1.0f;
+        const uint32_t order = 1 + static_cast<uint32_t>(random() % 3);
+        const double largest = std::floor(std::exp2(std::uniform_real_distribution<double>(0, 40)(random)));
+        // long double has 64 digits: no sum that fits is rounded by more than 1 in 2^64.
+        const auto axis = [&](double width) -> long double {
+            const long double w = std::ceil(width);
+            if (isWhole || order == 1) return std::pow(w, static_cast<long double>(order));
+            // From the middle (of a tent) or the knot left of it (parabolic) to the farthest entry of the last knot.
+            const long double d = order == 2 ? w + 2 : 2 * w + 3;
+            return order == 2 ? d * (d + 1) / 2 : d * (d + 1) * (d + 2) / 6;
+        };
+        const long double sum = axis(size.x) * axis(size.y) * largest * (isWhole || order == 1 ? 1 : 2);
         for (const SATPrecision precision : kExact) {
             const SATCodes codes{1, largest, false};
-            if (!SATBoxIsExact(float2(width, height), order, SATLargestMass(precision, codes))) continue;
-            ASSERT_TRUE(fits && mass * static_cast<__int128>(largest) >> (32 * WordsOf(precision)) == 0)
-                << width << " x " << height << ", order " << order << ", codes to " << largest;
+            if (!SATBoxIsExact(size, static_cast<int>(order), isWhole, SATLargestMass(precision, codes))) continue;
+            exact++;
+            ASSERT_LT(sum, std::exp2(32.0L * WordsOf(precision)))
+                << size.x << " x " << size.y << ", order " << order << ", codes to " << largest;
         }
     }
+    EXPECT_GT(exact, 50000u);
 }
 
 TEST(SATGaussian, ErrorsAndWidthsAreThoseOfTheBestKernels) {
