@@ -15,4 +15,20 @@ float2 FootprintRectangle(float2 ddxUv, float2 ddyUv)
     return max(abs(ddxUv), abs(ddyUv));
 }
 
+// FootprintLens: diameter of the circle of confusion of a thin lens, in texels.
+//
+//   disparity       of the point: 1 / distance, in any unit
+//   focusDisparity  of what is in focus, in the same
+//   apertureTexels  diameter for a disparity that differs by 1
+//   returns         1 at least: what is in focus is one texel
+//
+// A lens of diameter A and focal length f, focused at z_f, spreads a point at z over A f / (z_f - f) |z - z_f| / z =
+// A f z_f / (z_f - f) |1 / z_f - 1 / z|: linear in 1 / z, so one factor holds all of the lens.
+//
+// Cost: 3 operations. Hensley 2005, sect. 5.3
+float FootprintLens(float disparity, float focusDisparity, float apertureTexels)
+{
+    return max(1.0, apertureTexels * abs(disparity - focusDisparity));
+}
+
 #endif

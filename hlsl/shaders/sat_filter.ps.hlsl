@@ -16,9 +16,10 @@ float4 main(QuadVertex i) : SV_Target0
     float2 sizeTexels = SizeAt(TexelFromEdge(i.position.xy));
     float4 sum = (float4)0;
     float insideTexels = 0.0, wholeTexels = 0.0;
-    for (int k = 0; k < g.boxes; k++)
+    int boxes = BoxesFor(sizeTexels);
+    for (int k = 0; k < boxes; k++)
     {
-        SATBox whole = SATDiscBox(i.position.xy, sizeTexels, g.sides, g.boxes, k);
+        SATBox whole = SATDiscBox(i.position.xy, sizeTexels, boxes > 1 ? g.sides : 0, boxes, k);
         SATBox inside = SATClipBox(frame, whole);
         sum += SATSumBox(table, frame, inside);
         insideTexels += SATBoxArea(inside);

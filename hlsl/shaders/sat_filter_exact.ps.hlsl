@@ -32,9 +32,10 @@ float4 main(QuadVertex i) : SV_Target0
 #elif ORDER == 1
     sum = (float4)0;
     mass = 0.0;
-    for (int k = 0; k < g.boxes; k++)
+    int boxes = BoxesFor(sizeTexels);
+    for (int k = 0; k < boxes; k++)
     {
-        SATBox box = SATDiscBox(TexelCentre(texel), sizeTexels, g.sides, g.boxes, k);
+        SATBox box = SATDiscBox(TexelCentre(texel), sizeTexels, boxes > 1 ? g.sides : 0, boxes, k);
         SATBox inside = SATClipBox(frame, box);
         sum += SATSumBox(words, frame, inside);
         mass += EDGE == SAT_EDGE_ZERO ? SATBoxArea(box) : SATBoxArea(inside);

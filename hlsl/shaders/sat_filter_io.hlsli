@@ -13,3 +13,9 @@ float2 SizeAt(int2 texel)
     float t = widthMap.Load(int3(min(texel, g.widthMapTexels - 1), 0)).r;
     return max(g.minTexels + t * (g.maxTexels - g.minTexels), 1.0);
 }
+
+// How many boxes stand for a disc of that size. Within one texel all are the same, and one rounds less than many.
+int BoxesFor(float2 sizeTexels)
+{
+    return all(sizeTexels <= 1.0) ? 1 : g.boxes;
+}

@@ -12,14 +12,17 @@
 
 #include "samples/cli/codes.h"
 #include "samples/cli/device_run.h"
+#include "samples/cli/disparity.h"
 #include "samples/cli/gallery_page.h"
 #include "samples/cli/light.h"
 #include "samples/cli/precision/figures.h"
-#include "samples/effects/blur.h"
+#include "samples/effects/depth_of_field.h"
 #include "samples/effects/sat_verbatim_blur.h"
 #include "samples/files/bytes.h"
 #include "samples/files/color.h"
 
+extern "C" const uint8_t boxcar_aloeGT_png[], boxcar_aloeGT_png_end[];
+extern "C" const uint8_t boxcar_aloeL_jpg[], boxcar_aloeL_jpg_end[];
 extern "C" const uint8_t boxcar_building_jpg[], boxcar_building_jpg_end[];
 extern "C" const uint8_t boxcar_city_exr[], boxcar_city_exr_end[];
 extern "C" const uint8_t boxcar_fruits_jpg[], boxcar_fruits_jpg_end[];
@@ -52,6 +55,7 @@ public:
     void EdgesOfThePicture();
     void ShapesOfTheKernel();
     void WidthsFromAMap();
+    void LensOnAPhotograph();
     void LinearLightAndCodes();
     void HdrEnvironment();
     void Precision() { AddPrecisionSections(m_device, m_folder, m_fruits.picture, m_sections); }
@@ -342,6 +346,45 @@ void Gallery::WidthsFromAMap() {
     m_sections.push_back(std::move(section));
 }
 
+void Gallery::LensOnAPhotograph() {
+    GallerySection section{
+        "Depth of field on a photograph",
+        "Hensley 2005, sect. 5.3 (Fig. 9)",
+        "Each texel under its own circle of confusion, from the photograph's disparity; focused on "
+        "the front leaf and the pot, then on the cloth. One table of the whole picture, so what is sharp bleeds: "
+        "look for the green haze round the leaves that are in focus.",
+        {},
+        {}};
+    const Photograph aloe("aloeL.jpg", boxcar_aloeL_jpg, boxcar_aloeL_jpg_end);
+    const Photograph depth("aloeGT.png", boxcar_aloeGT_png, boxcar_aloeGT_png_end, Transfer::Raw);
+    std::vector<float> disparity;
+    for (const glm::vec4& texel : depth.texels)
+        disparity.push_back(texel.r);
+    FillUnknown(disparity, depth.Extent());
+    Texels widths;
+    for (const float value : disparity)
+        widths.emplace_back(value, value, value, 1);
+    section.figures.push_back(
+        Save("lens_disparity.png", widths, aloe, "Disparity: brighter is nearer; holes filled.", Transfer::Raw));
+
+    DepthOfFieldDesc desc{.extent = aloe.Extent(), .boxes = 12, .largestTexels = 60};
+    desc.codes = CodesFor(aloe.picture, "aloeL.jpg", Transfer::Srgb, SATPrecision::U32);
+    desc.precision = SATPrecision::U32;
+    DepthOfField effect(m_device, desc);
+    const CodeWords codes = EncodeRows(aloe.picture, Transfer::Srgb, desc.precision, 0, desc.extent.heightTexels);
+    const Image color = Upload(m_device, desc.extent, std::span(codes.low), "color");
+    const Image map = Upload(m_device, desc.extent, std::span<const glm::vec4>(widths), "disparity");
+    for (const auto& [focus, what] : {std::pair(0.5f, "front leaf and the pot"), std::pair(0.2f, "cloth")}) {
+        CommandList commands(m_device);
+        const Image& result = effect.Record(commands, color, map, {focus, 100});
+        commands.SubmitAndWait();
+        section.figures.push_back(Save(fmt::format("lens_{:g}.png", focus), Download<glm::vec4>(m_device, result),
+                                       aloe,
+                                       fmt::format("Focused on the {}: --focus {:g} --aperture 100.", what, focus)));
+    }
+    m_sections.push_back(std::move(section));
+}
+
 void Gallery::LinearLightAndCodes() {
     GallerySection section{
         "Linear light and raw codes",
@@ -392,6 +435,7 @@ void MakeGallery(const std::string& folder, const DeviceOptions& deviceOptions) 
                                                 &Gallery::EdgesOfThePicture,
                                                 &Gallery::ShapesOfTheKernel,
                                                 &Gallery::WidthsFromAMap,
+                                                &Gallery::LensOnAPhotograph,
                                                 &Gallery::LinearLightAndCodes,
                                                 &Gallery::HdrEnvironment,
                                                 &Gallery::Precision};

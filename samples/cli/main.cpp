@@ -1,11 +1,12 @@
 // boxcar: filters pictures with summed-area tables on a Vulkan device, headless.
 //
-//   boxcar filter | sat | precision | gallery | devices
+//   boxcar filter | dof | sat | precision | gallery | devices
 //
 // Exit codes: 0; 1 the work failed, in one line; 2 the command line is wrong, in one line.
 #include <fmt/format.h>
 
 #include "samples/cli/devices.h"
+#include "samples/cli/dof.h"
 #include "samples/cli/filter.h"
 #include "samples/cli/gallery.h"
 #include "samples/cli/options.h"
@@ -26,6 +27,7 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     app.footer("Example:\n  boxcar filter photo.jpg -o blurred.png --width 9\n\nboxcar COMMAND --help says more.");
     boxcar::AddFilterCommand(app);
+    boxcar::AddDofCommand(app);
     boxcar::AddSatCommand(app);
     boxcar::AddPrecisionCommand(app);
     boxcar::AddGalleryCommand(app);

@@ -88,6 +88,45 @@ TEST(Sat, WritesExactTablesAsWholeNumbers) {
     }
 }
 
+// A photograph's codes, and half-float light with a sun in it.
+TEST(Sat, TablesOfAPhotographAndOfAnEnvironmentAreExact) {
+    const Folder folder;
+    for (const auto& [name, precision] :
+         {std::pair("fruits.jpg", "u32"), std::pair("building.jpg", "u64"), std::pair("city.exr", "u64")}) {
+        const Picture picture = ReadPicture(std::string(BOXCAR_ASSETS "/") + name);
+        const bool isWide = precision == std::string("u64");
+        reference::CodeImage codes;
+        if (picture.stored == SampleType::Unorm8) {
+            codes = CodesOf(picture, false);
+        } else {
+            codes = {static_cast<int>(picture.widthTexels), static_cast<int>(picture.heightTexels), {}};
+            for (size_t i = 0; i < picture.samples.size(); i += 3) {
+                std::array<int64_t, 4> texel{};
+                for (size_t c = 0; c < 3; c++)
+                    texel[c] = static_cast<int64_t>(std::ldexp(static_cast<double>(picture.samples[i + c]), 24));
+                codes.texels.push_back(texel);
+            }
+        }
+        ASSERT_EQ(folder
+                      .Run(fmt::format("sat " BOXCAR_ASSETS "/{} -o out.exr --transfer raw --precision {}", name,
+                                       precision))
+                      .exitCode,
+                  0);
+        const auto channels = ReadUintExr(folder.Path("out.exr"), picture.widthTexels, picture.heightTexels);
+        const auto expected = reference::RepeatedTable(codes, 1);
+        size_t wrong = 0;
+        for (size_t c = 0; c < 3; c++) {
+            const std::string channel(1, "RGB"[c]);
+            for (size_t i = 0; i < expected.texels.size(); i++) {
+                const auto sum = static_cast<uint64_t>(expected.texels[i][c]);
+                wrong += channels.at(isWide ? channel + ".lo" : channel)[i] != static_cast<uint32_t>(sum);
+                if (isWide) wrong += channels.at(channel + ".hi")[i] != static_cast<uint32_t>(sum >> 32);
+            }
+        }
+        EXPECT_EQ(wrong, 0u) << name;
+    }
+}
+
 // Every half float is a whole multiple of 2^-24.
 TEST(Sat, SumsHalfFloatsExactlyInTwoWords) {
     const Folder folder;

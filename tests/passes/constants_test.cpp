@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <map>
 
+#include "hlsl/constants/effect_constants.h"
 #include "hlsl/constants/sat_constants.h"
 #include "passes_shaders.h"
 #include "tools/layout/shader_layout.h"
@@ -39,6 +40,9 @@ TEST(PassesConstants, OffsetsInCppEqualThoseInTheShaders) {
                             OFFSET(SATFilterConstants, boxes),         OFFSET(SATFilterConstants, sides),
                             OFFSET(SATFilterConstants, codeScale),     OFFSET(SATFilterConstants, largestMass),
                             OFFSET(SATFilterConstants, isSigned)};
+    const Offsets lens = {OFFSET(LensConstants, focusDisparity), OFFSET(LensConstants, apertureTexels),
+                          OFFSET(LensConstants, largestTexels)};
+    EXPECT_EQ(OffsetsIn("shaders/lens_width.ps"), lens);
     EXPECT_EQ(OffsetsIn("shaders/sat_pass.vs.TAPS=16"), pass);
     EXPECT_EQ(OffsetsIn("shaders/sat_pass_load.ps.TAPS=2"), pass);
     EXPECT_EQ(OffsetsIn("shaders/sat_pass_exact.ps.TAPS=2.WORDS=2"), pass);

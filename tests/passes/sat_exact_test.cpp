@@ -162,6 +162,7 @@ TEST(ExactTable, AMillionBoxesOfALargePictureAreExact) {
         }
         const auto actual = SumsOf(image, precision, boxes, kBoxes, "SAT_EDGE_CLIP");
         const auto table = reference::RepeatedTable(image, 1);
+        EXPECT_EQ(WrongEntries(TableOf(image, precision, 1, 4), table, precision), 0u);
         const auto at = [&](int x, int y, size_t c) -> __int128 {
             return x > 0 && y > 0 ? table.At(x - 1, y - 1)[c] : 0;
         };

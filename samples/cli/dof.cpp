@@ -1,0 +1,153 @@
+#include "samples/cli/dof.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "hlsl/boxcar/sat_range.h"
+#include "samples/cli/batch.h"
+#include "samples/cli/codes.h"
+#include "samples/cli/device_run.h"
+#include "samples/cli/disparity.h"
+#include "samples/cli/light.h"
+#include "samples/effects/depth_of_field.h"
+
+namespace boxcar {
+namespace {
+
+struct DofOptions : BatchOptions {
+    std::string depth;
+    std::string depthIs = "disparity";
+    double focus = -1;
+    double aperture = -1;
+    uint32_t discBoxes = 16;
+    uint32_t discSides = 0;
+};
+
+void RequirePossible(const DofOptions& options) {
+    if (options.files.inputs.size() > 1)
+        throw UsageError("{} inputs: dof takes one picture and its --depth", options.files.inputs.size());
+    if (options.depth == "-" && options.files.inputs[0] == "-")
+        throw UsageError("--depth - and IN -: both would read standard input");
+    if (!(options.focus >= 0 && options.focus <= 1))
+        throw UsageError("--focus {:g}: expected 0 to 1, a grey of the depth", options.focus);
+    if (!(options.aperture >= 0 && options.aperture <= kMaxSizeTexels))
+        throw UsageError("--aperture {:g}: expected texels, 0 to {:.0f}", options.aperture, kMaxSizeTexels);
+}
+
+// Disparity of every texel, in red.
+std::vector<glm::vec4> ReadDisparity(const Picture& picture, const Device& device, const DofOptions& options) {
+    const Picture depth = ReadForDevice(options.depth, device, options.read);
+    if (depth.widthTexels != picture.widthTexels || depth.heightTexels != picture.heightTexels)
+        throw Error("{}: {} x {} texels; the depth must be as large as the picture, {} x {}", options.depth,
+                    depth.widthTexels, depth.heightTexels, picture.widthTexels, picture.heightTexels);
+    std::vector<float> disparity;
+    for (size_t i = 0; i < depth.samples.size(); i += depth.channels) {
+        if (depth.samples[i] < 0)
+            throw Error("{}: {:g} in its red; depth is 0 (unknown) or more", options.depth, depth.samples[i]);
+        disparity.push_back(depth.samples[i]);
+    }
+    if (options.depthIs == "distance") DistanceToDisparity(disparity);
+    FillUnknown(disparity, {depth.widthTexels, depth.heightTexels});
+    std::vector<glm::vec4> texels;
+    for (const float value : disparity)
+        texels.emplace_back(value, 0, 0, 0);
+    return texels;
+}
+
+Stats Focus(Device& device, const Job& job, const DofOptions& options) {
+    const Picture picture = ReadForDevice(job.input, device, options.read);
+    RequireWritable(job.output, job.format, picture.channels);
+    const Transfer transfer = TransferFor(picture, options.read);
+    const Extent2D extent{picture.widthTexels, picture.heightTexels};
+    const std::vector<glm::vec4> depth = ReadDisparity(picture, device, options);
+
+    float largestDifference = 0;
+    for (const glm::vec4& texel : depth)
+        largestDifference = std::max(largestDifference, std::abs(texel.r - static_cast<float>(options.focus)));
+    const Lens lens{static_cast<float>(options.focus), static_cast<float>(options.aperture)};
+    DepthOfFieldDesc desc{.extent = extent,
+                          .boxes = options.discBoxes,
+                          .sides = options.discSides,
+                          .largestTexels = std::clamp(lens.apertureTexels * largestDifference, 1.0f, kMaxSizeTexels)};
+    std::vector<Image> words;
+    if (picture.stored == SampleType::Unorm8) {
+        // 16 bits of linear light are enough for 8 of sRGB, and are summed without a rounding.
+        desc.codes = CodesFor(picture, job.input, transfer, SATPrecision::U32);
+        const float mass = SATLargestMass(SATPrecision::U32, desc.codes);
+        const bool isNarrow = SATBoxIsExact(glm::vec2(desc.largestTexels), 1, false, mass);
+        desc.precision = isNarrow ? SATPrecision::U32 : SATPrecision::U64;
+        const CodeWords codes = EncodeRows(picture, transfer, desc.precision, 0, extent.heightTexels);
+        words.push_back(Upload(device, extent, std::span(codes.low), "color"));
+        if (!isNarrow) words.push_back(Upload(device, extent, std::span(codes.high), "color, upper words"));
+    } else {
+        desc.precision = SATPrecision::FP32;
+        desc.bias = picture.stored == SampleType::Float32 ? BlurBias::None : BlurBias::Mean;
+        words.push_back(Upload(device, extent, std::span<const glm::vec4>(ToLight(picture, transfer)), "color"));
+    }
+    DepthOfField effect(device, desc);
+    const Image disparity = Upload(device, extent, std::span(depth), "disparity");
+    CommandList commands(device, CommandList::Timing::On);
+    const Image& result = effect.Record(
+        commands, words.size() > 1 ? TexelWords(words[0], words[1]) : TexelWords(words[0]), disparity, lens);
+    commands.SubmitAndWait();
+
+    const std::vector<glm::vec4> texels = Download<glm::vec4>(device, result);
+    if (!std::ranges::all_of(texels, IsFinite))
+        throw Error("{}: its sums are beyond float32's largest number; scale its samples down", job.input);
+    const SampleType sampleType = SampleTypeFor(job.format, picture.stored);
+    WritePicture(FromLight(texels, picture, transfer, sampleType), job.output, job.format, sampleType);
+    return {.input = job.input,
+            .output = job.output,
+            .extent = extent,
+            .precision = SATPrecisionName(desc.precision),
+            .tableBytes = SummedAreaTableBytes(extent, desc.precision),
+            .passes = commands.PassTimes(),
+            .deviceBytes = device.MemoryBytes()};
+}
+
+}  // namespace
+
+void AddDofCommand(CLI::App& app) {
+    const auto options = std::make_shared<DofOptions>();
+    CLI::App& command = *app.add_subcommand("dof", "Depth of field on a photograph whose depth is known");
+    command.footer(
+        "A thin lens: a texel of disparity D (1 / distance; brighter is nearer) becomes the mean over a circle of\n"
+        "max(1, A |D - F|) texels. Depth of 0 is unknown and takes the nearest known value. One table of the whole\n"
+        "picture: what is sharp bleeds into what is blurred beside it.\n\n"
+        "Example:\n"
+        "  boxcar dof photo.jpg --depth disparity.png --focus 0.5 --aperture 100 -o focused.png");
+    AddBatchOptions(command, *options);
+    command.add_option("--depth", options->depth, "Picture of the depth, as large as IN; its red, raw, is read")
+        ->required()
+        ->type_name("D");
+    command
+        .add_option(
+            "--depth-is", options->depthIs,
+            "disparity: brighter is nearer (default); distance: brighter is farther, and the nearest becomes 1")
+        ->check(CLI::IsMember({"disparity", "distance"}))
+        ->type_name("K");
+    command.add_option("--focus", options->focus, "What is sharp: a disparity from 0 to 1")
+        ->required()
+        ->type_name("F");
+    command
+        .add_option("--aperture", options->aperture,
+                    "Diameter of the circle for a disparity that differs by 1, texels")
+        ->required()
+        ->type_name("A");
+    command
+        .add_option("--disc-boxes", options->discBoxes, "Boxes of equal height that a circle is made of (default 16)")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+    command
+        .add_option("--disc-sides", options->discSides,
+                    "A polygon of 3 to 16 sides instead, as the blades of a lens make it; 0: round (default)")
+        ->check(CLI::IsMember({0, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16}))
+        ->type_name("N");
+    command.callback([options] {
+        RequirePossible(*options);
+        RunBatch("dof", *options, PlanJobs(options->files),
+                 [&](Device& device, const Job& job) { return Focus(device, job, *options); });
+    });
+}
+
+}  // namespace boxcar

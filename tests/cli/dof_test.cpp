@@ -1,0 +1,137 @@
+// boxcar dof: the lens against its formula and the mean over each texel's own circle, in double.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "samples/cli/bands.h"
+#include "samples/cli/disparity.h"
+#include "tests/cli/program.h"
+#include "tests/reference/order.h"
+
+namespace boxcar {
+namespace {
+
+TEST(Dof, EachTexelIsTheMeanOverItsCircleOfConfusion) {
+    const Folder folder;
+    const Picture picture = RandomPicture(40, 30, 3, SampleType::Unorm8);
+    Picture depth = RandomPicture(40, 30, 1, SampleType::Unorm8);
+    for (float& sample : depth.samples)
+        sample = std::max(sample, 1 / 255.0f);  // all known
+    WritePicture(picture, folder.Path("in.png"), FileFormat::Png, SampleType::Unorm8);
+    WritePicture(depth, folder.Path("depth.png"), FileFormat::Png, SampleType::Unorm8);
+    const auto light = ReferenceLight(picture, true);
+    for (const auto& [focus, aperture] : {std::pair(0.25, 20.0), std::pair(1.0, 7.0), std::pair(0.5, 0.0)}) {
+        const Outcome outcome = folder.Run(
+            fmt::format("dof in.png --depth depth.png --focus {} --aperture {} -o out.exr", focus, aperture));
+        ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+        const Picture blurred = ReadPicture(folder.Path("out.exr"));
+        for (int y = 0; y < 30; y++)
+            for (int x = 0; x < 40; x++) {
+                const double d = depth.samples[static_cast<size_t>(y * 40 + x)];
+                const double diameter = std::max(1.0, aperture * std::abs(d - focus));
+                const auto expected =
+                    reference::DiscMean(light, x + 0.5, y + 0.5, diameter, 16, reference::Border::Clip);
+                for (int c = 0; c < 3; c++)
+                    ASSERT_NEAR(blurred.samples[static_cast<size_t>((y * 40 + x) * 3 + c)], expected[c], 2e-5)
+                        << "focus " << focus << ", aperture " << aperture << " at " << x << ", " << y;
+            }
+    }
+}
+
+TEST(Dof, WhatIsInFocusStaysSharpOnAPhotograph) {
+    const Folder folder;
+    const Picture photograph = ReadPicture(BOXCAR_ASSETS "/aloeL.jpg"),
+                  depth = ReadPicture(BOXCAR_ASSETS "/aloeGT.png");
+    const Outcome outcome = folder.Run("dof " BOXCAR_ASSETS "/aloeL.jpg --depth " BOXCAR_ASSETS
+                                       "/aloeGT.png --focus 0.5 --aperture 20 --disc-boxes 2 -o out.png");
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const Picture focused = ReadPicture(folder.Path("out.png"));
+    size_t inFocus = 0;
+    for (size_t i = 0; i < depth.samples.size(); i++) {
+        if (20 * std::abs(depth.samples[i] - 0.5) > 1) continue;
+        inFocus++;
+        for (size_t c = 0; c < 3; c++)
+            ASSERT_NEAR(focused.samples[3 * i + c], photograph.samples[3 * i + c], 1.01 / 255) << "texel " << i;
+    }
+    EXPECT_GT(inFocus, 10000u);
+}
+
+// The nearest is looked for among all, the slow way.
+TEST(Dof, UnknownDepthTakesTheNearestKnownValue) {
+    std::mt19937 random(61);
+    for (const Extent2D extent : {Extent2D{1, 1}, Extent2D{1, 9}, Extent2D{13, 1}, Extent2D{23, 17}}) {
+        for (const uint32_t oneIn : {2u, 10u, 60u}) {
+            std::vector<float> depth;
+            for (uint64_t i = 0; i < extent.Texels(); i++)
+                depth.push_back(random() % oneIn == 0 ? static_cast<float>(1 + i) : 0.0f);
+            std::vector<float> filled = depth;
+            FillUnknown(filled, extent);
+            const auto w = static_cast<int>(extent.widthTexels), h = static_cast<int>(extent.heightTexels);
+            const auto distance = [&](int x, int y, float value) {
+                const int at = static_cast<int>(value) - 1;
+                return (at % w - x) * (at % w - x) + (at / w - y) * (at / w - y);
+            };
+            for (int y = 0; y < h; y++)
+                for (int x = 0; x < w; x++) {
+                    int nearest = -1;
+                    for (const float value : depth)
+                        if (value > 0 && (nearest < 0 || distance(x, y, value) < nearest))
+                            nearest = distance(x, y, value);
+                    const float taken = filled[static_cast<size_t>(y * w + x)];
+                    if (nearest < 0)
+                        EXPECT_EQ(taken, 0);
+                    else
+                        ASSERT_EQ(distance(x, y, taken), nearest) << x << ", " << y;
+                }
+        }
+    }
+}
+
+TEST(Dof, DistancesBecomeDisparitiesOfWhichTheNearestIsOne) {
+    std::vector<float> distance = {2, 0, 8, 4};
+    DistanceToDisparity(distance);
+    EXPECT_EQ(distance, std::vector<float>({1, 0, 0.25f, 0.5f}));
+}
+
+TEST(Dof, RefusesWhatItCannotDoInOneLine) {
+    const Folder folder;
+    WritePicture(RandomPicture(8, 8, 3, SampleType::Unorm8), folder.Path("in.png"), FileFormat::Png,
+                 SampleType::Unorm8);
+    WritePicture(RandomPicture(4, 4, 1, SampleType::Unorm8), folder.Path("small.png"), FileFormat::Png,
+                 SampleType::Unorm8);
+    const auto expect = [&](const std::string& arguments, int exitCode, const std::string& line) {
+        const Outcome outcome = folder.Run("dof in.png -o out.png " + arguments);
+        EXPECT_EQ(outcome.exitCode, exitCode) << arguments;
+        EXPECT_EQ(outcome.err, "boxcar: " + line + "\n");
+    };
+    expect("--depth in.png --focus 2 --aperture 9", 2, "--focus 2: expected 0 to 1, a grey of the depth");
+    expect("--depth in.png --focus 0.5 --aperture -1", 2, "--aperture -1: expected texels, 0 to 32768");
+    expect("--depth none.png --focus 0.5 --aperture 9", 1, "none.png: cannot be read: No such file or directory");
+    expect("--depth small.png --focus 0.5 --aperture 9", 1,
+           "small.png: 4 x 4 texels; the depth must be as large as the picture, 8 x 8");
+}
+
+// Bands cover every row once, and each reads as far as a kernel reaches.
+TEST(Bands, CoverEveryRowOnceWithTheRowsThatAKernelReaches) {
+    for (const uint32_t height : {1u, 100u, 1000u}) {
+        for (const uint32_t reach : {0u, 1u, 30u, 400u}) {
+            const Extent2D extent{16, height};
+            uint32_t next = 0;
+            for (const Band& band : PlanBands(extent, reach, 16 * 100)) {
+                EXPECT_EQ(band.firstRow, next);
+                next += band.rows;
+                EXPECT_EQ(band.firstRead, band.firstRow > reach ? band.firstRow - reach : 0);
+                EXPECT_EQ(band.firstRead + band.rowsRead, std::min(next + reach, height));
+                if (2 * reach < 100) {
+                    EXPECT_LE(band.rowsRead, 100u);
+                }
+            }
+            EXPECT_EQ(next, height);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace boxcar
