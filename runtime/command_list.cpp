@@ -173,7 +173,7 @@ void CommandList::Draw(const Pass& pass) {
     for (const Image* target : pass.writes) {
         c.Barrier(*target, ImageUse::ColorTarget);
         vk::RenderingAttachmentInfo attachment(target->View(), target->impl().state.layout);
-        const bool keeps = pass.area || pass.mesh;
+        const bool keeps = pass.area || pass.mesh || pass.depth;
         attachment.loadOp = keeps ? vk::AttachmentLoadOp::eLoad : vk::AttachmentLoadOp::eDontCare;
         attachment.storeOp = vk::AttachmentStoreOp::eStore;
         if (pass.clearColor) {
