@@ -1,6 +1,7 @@
 #include "runtime/command_list.h"
 
 #include <algorithm>
+#include <glm/ext/vector_uint4.hpp>
 #include <limits>
 
 #include "runtime/vulkan.h"
@@ -40,23 +41,41 @@ bool Writes(vk::AccessFlags2 access) {
                               Access::eDepthStencilAttachmentWrite | Access::eTransferWrite | Access::eMemoryWrite));
 }
 
+void CheckTarget(const Pass& pass, const Image& image, Format format) {
+    const ImageDesc& target = image.Desc();
+    if (target.format != format)
+        throw Error("pass '{}' writes '{}', which is {}: its pipeline writes {}", pass.name, target.name,
+                    FormatName(target.format), FormatName(format));
+    if (target.extent != pass.writes[0]->Extent())
+        throw Error("pass '{}' writes '{}' and '{}', which differ in extent", pass.name, pass.writes[0]->Desc().name,
+                    target.name);
+    for (const Read& read : pass.reads)
+        if (read.image == &image)
+            throw Error("pass '{}' reads and writes '{}' at once: what it would read is undefined", pass.name,
+                        target.name);
+}
+
+vk::ClearColorValue ClearValue(const glm::vec4& rgba, Format format) {
+    if (format == Format::RGBA32UI) {
+        const glm::uvec4 words(rgba);
+        return std::array{words.x, words.y, words.z, words.w};
+    }
+    return std::array{rgba.x, rgba.y, rgba.z, rgba.w};
+}
+
 void Check(const Pass& pass, const Pipeline::Impl& pipeline) {
     if (pass.writes.size() != pipeline.targets.size())
         throw Error("pass '{}' writes {} images, its pipeline {}", pass.name, pass.writes.size(),
                     pipeline.targets.size());
-    for (size_t i = 0; i < pass.writes.size(); i++) {
-        const ImageDesc& target = pass.writes[i]->Desc();
-        if (target.format != pipeline.targets[i])
-            throw Error("pass '{}' writes '{}', which is {}: its pipeline writes {}", pass.name, target.name,
-                        FormatName(target.format), FormatName(pipeline.targets[i]));
-        if (target.extent != pass.writes[0]->Extent())
-            throw Error("pass '{}' writes '{}' and '{}', which differ in extent", pass.name,
-                        pass.writes[0]->Desc().name, target.name);
-        for (const Read& read : pass.reads)
-            if (read.image == pass.writes[i])
-                throw Error("pass '{}' reads and writes '{}' at once: what it would read is undefined", pass.name,
-                            target.name);
-    }
+    if (pipeline.drawsMesh != (pass.mesh != nullptr))
+        throw Error("pass '{}' gives {} mesh: {} draws {}", pass.name, pass.mesh ? "a" : "no", pipeline.name,
+                    pipeline.drawsMesh ? "one" : "a quad");
+    if (pipeline.testsDepth != (pass.depth != nullptr))
+        throw Error("pass '{}' gives {} depth image: its pipeline tests {}", pass.name, pass.depth ? "a" : "no",
+                    pipeline.testsDepth ? "depth" : "none");
+    for (size_t i = 0; i < pass.writes.size(); i++)
+        CheckTarget(pass, *pass.writes[i], pipeline.targets[i]);
+    if (pass.depth) CheckTarget(pass, *pass.depth, Format::Depth32F);
     if (pass.constants.size() != pipeline.constantsBytes)
         throw Error("pass '{}' has {} bytes of constants, {} takes {}", pass.name, pass.constants.size(),
                     pipeline.name, pipeline.constantsBytes);
@@ -154,9 +173,22 @@ void CommandList::Draw(const Pass& pass) {
     for (const Image* target : pass.writes) {
         c.Barrier(*target, ImageUse::ColorTarget);
         vk::RenderingAttachmentInfo attachment(target->View(), target->impl().state.layout);
-        attachment.loadOp = pass.area ? vk::AttachmentLoadOp::eLoad : vk::AttachmentLoadOp::eDontCare;
+        const bool keeps = pass.area || pass.mesh || pass.depth;
+        attachment.loadOp = keeps ? vk::AttachmentLoadOp::eLoad : vk::AttachmentLoadOp::eDontCare;
         attachment.storeOp = vk::AttachmentStoreOp::eStore;
+        if (pass.clearColor) {
+            attachment.loadOp = vk::AttachmentLoadOp::eClear;
+            attachment.clearValue.color = ClearValue(*pass.clearColor, target->Desc().format);
+        }
         attachments.push_back(attachment);
+    }
+    vk::RenderingAttachmentInfo depth;
+    if (pass.depth) {
+        c.Barrier(*pass.depth, ImageUse::DepthTarget);
+        depth = vk::RenderingAttachmentInfo(pass.depth->View(), pass.depth->impl().state.layout);
+        depth.loadOp = pass.clearsDepth ? vk::AttachmentLoadOp::eClear : vk::AttachmentLoadOp::eLoad;
+        depth.storeOp = vk::AttachmentStoreOp::eStore;
+        depth.clearValue.depthStencil = vk::ClearDepthStencilValue(1);
     }
 
     const auto [width, height] = pass.writes[0]->Extent();
@@ -174,7 +206,8 @@ void CommandList::Draw(const Pass& pass) {
     const bool timed = *c.timer && query + 1 < 2 * kMaxTimedPasses;
     if (timed) c.commands.writeTimestamp2(vk::PipelineStageFlagBits2::eAllCommands, *c.timer, query, dispatch);
 
-    c.commands.beginRendering(vk::RenderingInfo({}, rect, 1, 0, attachments), dispatch);
+    c.commands.beginRendering(vk::RenderingInfo({}, rect, 1, 0, attachments, pass.depth ? &depth : nullptr),
+                              dispatch);
     c.commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *p.pipeline, dispatch);
     c.commands.setViewport(0, viewport, dispatch);
     c.commands.setScissor(0, rect, dispatch);
@@ -182,7 +215,14 @@ void CommandList::Draw(const Pass& pass) {
         c.commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *p.layout, 0, sets, {}, dispatch);
     if (p.constantsBytes > 0)
         c.commands.pushConstants(*p.layout, p.constantsStages, 0, p.constantsBytes, pass.constants.data(), dispatch);
-    c.commands.draw(4, 1, 0, 0, dispatch);
+    if (pass.mesh) {
+        const Mesh::Impl& mesh = pass.mesh->impl();
+        c.commands.bindVertexBuffers(0, mesh.buffer.Handle(), vk::DeviceSize{0}, dispatch);
+        c.commands.bindIndexBuffer(mesh.buffer.Handle(), mesh.indicesOffsetBytes, vk::IndexType::eUint32, dispatch);
+        c.commands.drawIndexed(mesh.indexCount, 1, 0, 0, 0, dispatch);
+    } else {
+        c.commands.draw(4, 1, 0, 0, dispatch);
+    }
     c.commands.endRendering(dispatch);
 
     if (timed) {
@@ -198,8 +238,9 @@ void CommandList::Use(const Image& image, ImageUse use) {
 
 void CommandList::Clear(const Image& image, const float (&rgba)[4]) {
     Impl& c = *m_impl;
+    BOXCAR_ASSERT(image.Desc().format != Format::Depth32F);
     c.Barrier(image, ImageUse::TransferTarget);
-    vk::ClearColorValue value(std::array<float, 4>{rgba[0], rgba[1], rgba[2], rgba[3]});
+    const vk::ClearColorValue value = ClearValue({rgba[0], rgba[1], rgba[2], rgba[3]}, image.Desc().format);
     c.commands.clearColorImage(image.Handle(), image.impl().state.layout, value,
                                vk::ImageSubresourceRange(vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1),
                                *c.device->device.getDispatcher());

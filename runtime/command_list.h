@@ -25,14 +25,15 @@ public:
     CommandList& operator=(CommandList&&) noexcept;
 
     // Throws Error: a texture of the shaders is not among pass.reads; an image is read and written at once; the
-    // targets differ in extent or are not of the pipeline's formats; the constants have another size than the
-    // shaders'. The message names the pass.
+    // targets and the depth image differ in extent or are not of the pipeline's formats; the constants have another
+    // size than the shaders'; a mesh or a depth image is missing, or given to a pipeline that has no use for it. The
+    // message names the pass.
     void Draw(const Pass& pass);
 
     // Puts an image into the state for a use outside of Draw, with the barrier that it needs.
     void Use(const Image& image, ImageUse use);
 
-    // Sets every texel. `rgba` is converted to the image's format.
+    // Sets every texel. `rgba` is converted to the image's format, which is not Depth32F: a pass clears that.
     void Clear(const Image& image, const float (&rgba)[4]);
 
     // Ends the list, runs it and waits for it. Only for a list of one's own, once. Throws Error when the device is

@@ -1,13 +1,15 @@
-// One draw of a screen-aligned quad: images in, images out.
+// One draw of a screen-aligned quad or of a mesh: images in, images out.
 #pragma once
 
 #include <cstddef>
+#include <glm/vec4.hpp>
 #include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "runtime/image.h"
+#include "runtime/mesh.h"
 #include "runtime/pipeline.h"
 
 namespace boxcar {
@@ -38,6 +40,10 @@ struct Pass {
     std::vector<const Image*> writes;           // all of one extent; texels that are not drawn keep their value
     std::span<const std::byte> constants = {};  // exactly as many bytes as the shaders' BOXCAR_CONSTANTS block
     std::optional<Rect> area = {};              // the texels that are drawn; all of them if not given
+    const Mesh* mesh = nullptr;                 // for a pipeline that draws one
+    const Image* depth = nullptr;               // Depth32F, of the targets' extent; for a pipeline that tests depth
+    std::optional<glm::vec4> clearColor = {};   // what `area` of the targets is set to first, in their formats
+    bool clearsDepth = false;                   // sets `area` of the depth image to 1, the far plane, first
 };
 
 }  // namespace boxcar

@@ -70,6 +70,42 @@ private:
     std::vector<std::vector<vk::DescriptorSetLayoutBinding>> m_sets;
 };
 
+struct VertexMember {
+    std::string_view semantic;
+    uint32_t offsetBytes;
+    vk::Format format;
+};
+
+constexpr VertexMember kVertexMembers[] = {
+    {"POSITION0", offsetof(Vertex, position), vk::Format::eR32G32B32Sfloat},
+    {"NORMAL0", offsetof(Vertex, normal), vk::Format::eR32G32B32Sfloat},
+    {"TEXCOORD0", offsetof(Vertex, uv), vk::Format::eR32G32Sfloat},
+};
+
+// A shader may take fewer components than there are, or more: those are 0, 0 and 1, as in Direct3D.
+std::vector<vk::VertexInputAttributeDescription> VertexAttributes(const Stage& vertex) {
+    std::vector<vk::VertexInputAttributeDescription> attributes;
+    for (const LayoutVariable& input : vertex.layout.inputs) {
+        const auto member = std::ranges::find(kVertexMembers, input.semantic, &VertexMember::semantic);
+        if (member == std::end(kVertexMembers) || !input.type.starts_with("float") || input.locationCount != 1)
+            throw Error(
+                "shader {}: vertex input '{}' ({} {}) is not in a mesh, which has float3 POSITION, float3 "
+                "NORMAL and float2 TEXCOORD0",
+                vertex.shader.name, input.name, input.type, input.semantic);
+        attributes.push_back({input.location, 0, member->format, member->offsetBytes});
+    }
+    return attributes;
+}
+
+vk::CullModeFlags CullMode(Cull cull) {
+    switch (cull) {
+        case Cull::Back: return vk::CullModeFlagBits::eBack;
+        case Cull::Front: return vk::CullModeFlagBits::eFront;
+        case Cull::None: break;
+    }
+    return vk::CullModeFlagBits::eNone;
+}
+
 void CheckLink(const Stage& vertex, const Stage& pixel) {
     for (const LayoutVariable& input : pixel.layout.inputs) {
         const auto output = std::ranges::find(vertex.layout.outputs, input.location, &LayoutVariable::location);
@@ -87,6 +123,7 @@ Pipeline::Pipeline(Device& device, const PipelineDesc& desc) : m_impl(new Impl) 
     p.device = &device.impl();
     p.name = desc.pixel.name;
     p.targets = desc.targets;
+    p.testsDepth = desc.testsDepth;
     const vk::raii::Device& vulkan = p.device->device;
 
     const std::array stages = {
@@ -128,11 +165,22 @@ Pipeline::Pipeline(Device& device, const PipelineDesc& desc) : m_impl(new Impl) 
         stageInfos.push_back({{}, stage.bit, *modules.back(), stage.layout.entry.c_str()});
     }
 
-    const vk::PipelineVertexInputStateCreateInfo noVertexBuffers;
-    const vk::PipelineInputAssemblyStateCreateInfo strip({}, vk::PrimitiveTopology::eTriangleStrip);
+    const auto attributes = VertexAttributes(stages[0]);
+    p.drawsMesh = !attributes.empty();
+    const vk::VertexInputBindingDescription vertexBuffer(0, sizeof(Vertex));
+    vk::PipelineVertexInputStateCreateInfo vertexInput({}, {}, attributes);
+    if (p.drawsMesh) vertexInput.setVertexBindingDescriptions(vertexBuffer);
+    const vk::PipelineInputAssemblyStateCreateInfo assembly(
+        {}, p.drawsMesh ? vk::PrimitiveTopology::eTriangleList : vk::PrimitiveTopology::eTriangleStrip);
     const vk::PipelineViewportStateCreateInfo viewport({}, 1, nullptr, 1, nullptr);
     vk::PipelineRasterizationStateCreateInfo rasterization;
     rasterization.lineWidth = 1;
+    rasterization.cullMode = CullMode(desc.cull);
+    // Vulkan measures the turn where Direct3D does, on the screen, after the viewport is turned over.
+    rasterization.frontFace = vk::FrontFace::eCounterClockwise;
+    vk::PipelineDepthStencilStateCreateInfo depth;
+    depth.depthTestEnable = depth.depthWriteEnable = desc.testsDepth;
+    depth.depthCompareOp = vk::CompareOp::eLess;
     const vk::PipelineMultisampleStateCreateInfo oneSample;
     vk::PipelineColorBlendAttachmentState overwrite;
     overwrite.colorWriteMask = vk::FlagTraits<vk::ColorComponentFlagBits>::allFlags;
@@ -143,10 +191,11 @@ Pipeline::Pipeline(Device& device, const PipelineDesc& desc) : m_impl(new Impl) 
     std::vector<vk::Format> formats;
     for (const Format format : desc.targets)
         formats.push_back(VulkanFormat(format));
-    const vk::PipelineRenderingCreateInfo rendering(0, formats);
+    const vk::PipelineRenderingCreateInfo rendering(
+        0, formats, desc.testsDepth ? VulkanFormat(Format::Depth32F) : vk::Format::eUndefined);
 
-    vk::GraphicsPipelineCreateInfo info({}, stageInfos, &noVertexBuffers, &strip, {}, &viewport, &rasterization,
-                                        &oneSample, {}, &blend, &dynamic, *p.layout);
+    vk::GraphicsPipelineCreateInfo info({}, stageInfos, &vertexInput, &assembly, {}, &viewport, &rasterization,
+                                        &oneSample, &depth, &blend, &dynamic, *p.layout);
     info.pNext = &rendering;
     p.pipeline = vk::raii::Pipeline(vulkan, nullptr, info);
     p.device->Name(p.pipeline, p.name);

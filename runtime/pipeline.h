@@ -15,17 +15,24 @@
 
 namespace boxcar {
 
+// Which triangles are left out. The corners of a front face go counter-clockwise on the screen.
+enum class Cull { None, Back, Front };
+
 struct PipelineDesc {
-    EmbeddedShader vertex;  // draws a screen-aligned quad from SV_VertexID 0..3, a triangle strip
+    // With inputs it draws a mesh: they are POSITION, NORMAL and TEXCOORD0, or some of them (runtime/vertex.h).
+    // Without, a screen-aligned quad from SV_VertexID 0..3, a triangle strip.
+    EmbeddedShader vertex;
     EmbeddedShader pixel;
     std::vector<Format> targets = {Format::RGBA32F};  // SV_Target0, 1, ..
+    bool testsDepth = false;                          // draws what is nearer (less) than Pass::depth, and writes it
+    Cull cull = Cull::None;
 };
 
 // Move-only.
 class Pipeline {
 public:
-    // Throws Error: a resource of a kind or a sampler of a name that the runtime does not know; shaders that do not
-    // link; constants over 128 bytes. The message names the shader and the resource.
+    // Throws Error: a resource of a kind, a sampler of a name or a vertex input that the runtime does not know;
+    // shaders that do not link; constants over 128 bytes. The message names the shader and the resource.
     Pipeline(Device& device, const PipelineDesc& desc);
 
     ~Pipeline();

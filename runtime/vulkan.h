@@ -11,6 +11,7 @@
 #include "runtime/command_list.h"
 #include "runtime/device.h"
 #include "runtime/image.h"
+#include "runtime/mesh.h"
 #include "runtime/pipeline.h"
 
 namespace boxcar {
@@ -81,6 +82,32 @@ struct Image::Impl {
     ImageState state;
 };
 
+// A buffer with memory of its own, which is counted; mapped for as long as it lives where the host sees it.
+class Buffer {
+public:
+    // Throws Error: the device has no memory left. The message names the buffer.
+    Buffer(Device::Impl& device, uint64_t bytes, vk::BufferUsageFlags usage, vk::MemoryPropertyFlags properties,
+           const std::string& name);
+    ~Buffer();
+    Buffer(Buffer&&) = delete;
+
+    vk::Buffer Handle() const { return *m_buffer; }
+    std::byte* Mapped() const { return m_mapped; }
+
+private:
+    Device::Impl& m_device;
+    vk::raii::Buffer m_buffer;
+    vk::raii::DeviceMemory m_memory = nullptr;
+    std::byte* m_mapped = nullptr;
+    uint64_t m_bytes = 0;
+};
+
+struct Mesh::Impl {
+    Buffer buffer;  // vertices, then indices
+    uint64_t indicesOffsetBytes = 0;
+    uint32_t indexCount = 0;
+};
+
 // A resource of either shader, by name, and where its descriptor lives.
 struct Binding {
     std::string name;
@@ -93,6 +120,8 @@ struct Pipeline::Impl {
     Device::Impl* device = nullptr;
     std::string name;
     std::vector<Format> targets;
+    bool drawsMesh = false;
+    bool testsDepth = false;
     std::vector<Binding> bindings;  // that a pass has to name: samplers are fixed
     uint32_t constantsBytes = 0;
     vk::ShaderStageFlags constantsStages;

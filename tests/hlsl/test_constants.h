@@ -27,6 +27,12 @@ struct PlaneConstants {
     int2 extentTexels;
 };
 
+// mesh.vs, mesh.ps
+struct MeshConstants {
+    float4x4 clipFromMesh;
+    float4 value;  // .x
+};
+
 #ifdef __cplusplus
 }
 #endif

@@ -9,6 +9,7 @@
 #include "runtime/ping_pong.h"
 #include "test_support_shaders.h"
 #include "tests/hlsl/test_constants.h"
+#include "tests/support/device_codes.h"
 #include "tests/support/device_image.h"
 #include "tests/support/expect_error.h"
 
@@ -74,6 +75,12 @@ TEST(CommandList, ClearSetsEveryTexelAndConvertsToTheFormat) {
     ReadTexels(TestDevice(), image, std::as_writable_bytes(std::span(bytes)));
     for (size_t i = 0; i < 100; i += 4)
         EXPECT_EQ(std::vector<uint8_t>(&bytes[i], &bytes[i] + 4), std::vector<uint8_t>({255, 0, 51, 255}));
+
+    const Image words(TestDevice(), {{1, 1}, Format::RGBA32UI, "cleared words"});
+    CommandList more(TestDevice());
+    more.Clear(words, {1, 0, 3, 65536});
+    more.SubmitAndWait();
+    EXPECT_EQ(DownloadWords(words)[0], glm::uvec4(1, 0, 3, 65536));
 }
 
 TEST(CommandList, RefusesPassesThatDoNotFitTheirShadersAndNamesThem) {

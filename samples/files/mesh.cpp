@@ -1,0 +1,226 @@
+#include "samples/files/mesh.h"
+
+#include <tiny_obj_loader.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <string_view>
+#include <unordered_map>
+
+#include "samples/files/bytes.h"
+#include "tools/layout/error.h"
+
+namespace boxcar {
+namespace {
+
+constexpr uint32_t kMaxCorners = 255;  // of a face: tinyobjloader counts them in a byte
+
+// Takes what stands before the next of `ends` off `text`, and that one with it.
+std::string_view Next(std::string_view& text, std::string_view ends) {
+    const size_t end = text.find_first_of(ends);
+    const std::string_view part = text.substr(0, end);
+    text.remove_prefix(end == text.npos ? text.size() : end + 1);
+    return part;
+}
+
+// Empty at the end of the line.
+std::string_view NextWord(std::string_view& line) {
+    std::string_view word;
+    while (word.empty() && !line.empty())
+        word = Next(line, " \t");
+    return word;
+}
+
+// Looks through the text before tinyobjloader does, which takes what is no number for 0, only warns of indices out of
+// range, and gives tags as much memory as they ask for. So it is handed the lines that have been looked at, no
+// others.
+class Checker {
+public:
+    explicit Checker(const MeshLimits& limits) : m_limits(limits) {}
+
+    // The lines that make up the mesh.
+    std::string Checked(std::string_view text) {
+        std::string kept;
+        while (!text.empty()) {
+            m_line++;
+            const std::string_view line = Next(text, "\n");
+            std::string_view rest = line.ends_with('\r') ? line.substr(0, line.size() - 1) : line;
+            if (rest.find_first_of(std::string_view("\0\r", 2)) != rest.npos)
+                Fail("has a zero byte or a lone carriage return; OBJ is text");
+            const std::string_view word = NextWord(rest);
+            if (word == "v")
+                CheckNumbers(rest, m_positions, 3, "a position");
+            else if (word == "vn")
+                CheckNumbers(rest, m_normals, 3, "a normal");
+            else if (word == "vt")
+                CheckNumbers(rest, m_uvs, 2, "a uv");
+            else if (word == "f")
+                CheckFace(rest);
+            else
+                continue;
+            kept.append(line).append("\n");
+        }
+        if (m_triangles == 0) throw Error("it has no face; an OBJ mesh is expected");
+        return kept;
+    }
+
+private:
+    template <typename... Args>
+    [[noreturn]] void Fail(fmt::format_string<Args...> format, Args&&... args) const {
+        throw Error("line {} {}", m_line, fmt::format(format, std::forward<Args>(args)...));
+    }
+
+    void CheckNumbers(std::string_view rest, uint32_t& count, int needed, const char* what) {
+        for (int i = 0; i < needed; i++) {
+            std::string_view word = NextWord(rest);
+            if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
+            double number = 0;
+            const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+            const bool isWhole = !word.empty() && end == word.data() + word.size() && error == std::errc();
+            if (!isWhole || !(std::abs(number) <= std::numeric_limits<float>::max()))
+                Fail("is {} without {} finite numbers", what, needed);
+        }
+        if (++count > m_limits.maxVertices) Fail("is {} more than the {} that are read", what, m_limits.maxVertices);
+    }
+
+    void CheckFace(std::string_view rest) {
+        uint32_t corners = 0;
+        for (std::string_view corner = NextWord(rest); !corner.empty(); corner = NextWord(rest)) {
+            const bool hasUv = corner.find('/') != corner.npos && corner.find("//") == corner.npos;
+            const bool hasNormal = std::ranges::count(corner, '/') == 2;
+            CheckIndex(Next(corner, "/"), m_positions, "positions");
+            if (hasUv) CheckIndex(Next(corner, "/"), m_uvs, "uv");
+            if (hasNormal && !hasUv) Next(corner, "/");
+            if (hasNormal) CheckIndex(Next(corner, "/"), m_normals, "normals");
+            if (!corner.empty()) Fail("has a corner that is none of v, v/vt, v//vn, v/vt/vn");
+            if (++corners > kMaxCorners)
+                Fail("is a face of more than {} corners, the most that are read", kMaxCorners);
+        }
+        if (corners < 3) Fail("is a face of {} corners; 3 to {} are expected", corners, kMaxCorners);
+        m_triangles += corners - 2;
+        if (m_triangles > m_limits.maxTriangles)
+            Fail("leads to more than {} triangles, the most that are read", m_limits.maxTriangles);
+    }
+
+    // 1 is the first; -1 is the last so far.
+    void CheckIndex(std::string_view word, uint32_t count, const char* what) const {
+        int64_t index = 0;
+        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), index);
+        if (word.empty() || end != word.data() + word.size() || error == std::errc::invalid_argument)
+            Fail("has a corner that is none of v, v/vt, v//vn, v/vt/vn");
+        if (error != std::errc() || index == 0 || std::abs(index) > count)
+            Fail("has an index out of range: there are {} {} so far", count, what);
+    }
+
+    const MeshLimits& m_limits;
+    uint64_t m_line = 0;
+    uint32_t m_positions = 0, m_normals = 0, m_uvs = 0, m_triangles = 0;
+};
+
+using Corner = tinyobj::index_t;
+
+// Numbers that tinyobjloader's arithmetic cannot hold, as 0.[600 zeros]1e600, become NaN in it.
+bool AreFinite(const std::vector<float>& numbers) {
+    return std::ranges::all_of(numbers, [](float number) { return std::isfinite(number); });
+}
+
+// What has been looked at and yet is refused can only be a difference between Checker and tinyobjloader.
+tinyobj::ObjReader Parse(const std::string& text) {
+    tinyobj::ObjReaderConfig config;
+    config.triangulate = false;  // its ears are right for convex faces only, and take the cube of the corners' number
+    config.vertex_color = false;
+    tinyobj::ObjReader reader;
+    if (!reader.ParseFromString(text, "", config) || reader.GetShapes().size() != 1)
+        throw Error("it is damaged: {}", reader.Error().substr(0, reader.Error().find('\n')));
+    const tinyobj::attrib_t& read = reader.GetAttrib();
+    if (!AreFinite(read.vertices) || !AreFinite(read.normals) || !AreFinite(read.texcoords))
+        throw Error("one of its numbers has too many digits");
+    return reader;
+}
+
+// The corners of the triangles, three by three.
+std::vector<Corner> Triangles(const tinyobj::mesh_t& mesh) {
+    std::vector<Corner> corners;
+    const Corner* face = mesh.indices.data();
+    for (const uint32_t count : mesh.num_face_vertices) {
+        for (uint32_t i = 2; i < count; i++)
+            corners.insert(corners.end(), {face[0], face[i - 1], face[i]});
+        face += count;
+    }
+    return corners;
+}
+
+glm::dvec3 Vector(const std::vector<float>& values, int index) {
+    const float* v = &values[3 * static_cast<size_t>(index)];
+    return {v[0], v[1], v[2]};
+}
+
+// Of each position: the sum of the areas of the triangles round it, as vectors. In double, where no square of a float
+// overflows.
+std::vector<glm::dvec3> SmoothNormals(const std::vector<float>& positions, const std::vector<Corner>& corners) {
+    std::vector<glm::dvec3> normals(positions.size() / 3, glm::dvec3(0));
+    for (size_t i = 0; i < corners.size(); i += 3) {
+        const glm::dvec3 a = Vector(positions, corners[i].vertex_index);
+        const glm::dvec3 area = glm::cross(Vector(positions, corners[i + 1].vertex_index) - a,
+                                           Vector(positions, corners[i + 2].vertex_index) - a);
+        for (size_t k = i; k < i + 3; k++)
+            normals[static_cast<size_t>(corners[k].vertex_index)] += area;
+    }
+    return normals;
+}
+
+MeshData Merge(const tinyobj::attrib_t& file, const std::vector<Corner>& corners, const MeshLimits& limits) {
+    struct Hash {
+        size_t operator()(const std::array<int, 3>& key) const {
+            uint64_t hash = 0;
+            for (const int index : key)
+                hash = (hash ^ static_cast<uint32_t>(index)) * 0x9e3779b97f4a7c15u;  // 2^64 / golden ratio
+            return hash ^ hash >> 32;
+        }
+    };
+    const std::vector<glm::dvec3> smooth = SmoothNormals(file.vertices, corners);
+    std::unordered_map<std::array<int, 3>, uint32_t, Hash> known;
+    MeshData mesh;
+    for (const Corner& corner : corners) {
+        const auto [vertexIndex, normalIndex, uvIndex] = corner;
+        const auto [at, isNew] =
+            known.try_emplace({vertexIndex, normalIndex, uvIndex}, static_cast<uint32_t>(mesh.vertices.size()));
+        mesh.indices.push_back(at->second);
+        if (!isNew) continue;
+        if (mesh.vertices.size() == limits.maxVertices)
+            throw Error("it makes more than {} vertices, the most that are read", limits.maxVertices);
+        glm::dvec3 normal = normalIndex < 0 ? glm::dvec3(0) : Vector(file.normals, normalIndex);
+        if (glm::length(normal) == 0) normal = smooth[static_cast<size_t>(vertexIndex)];
+        if (glm::length(normal) == 0) normal = {0, 1, 0};  // the faces round it have no area
+        Vertex vertex{Vector(file.vertices, vertexIndex), glm::normalize(normal), {}};
+        if (uvIndex >= 0) {
+            const float* uv = &file.texcoords[2 * static_cast<size_t>(uvIndex)];
+            vertex.uv = {uv[0], 1 - uv[1]};
+        }
+        mesh.vertices.push_back(vertex);
+    }
+    return mesh;
+}
+
+}  // namespace
+
+MeshData ReadMesh(const std::string& path, const MeshLimits& limits) {
+    const auto checkStart = [&](ByteView start) {
+        if (start.empty()) throw Error("{}: the file is empty; an OBJ mesh is expected", InputName(path));
+        if (std::ranges::count(start, 0) > 0) throw Error("{}: no text; an OBJ mesh is expected", InputName(path));
+    };
+    const Bytes file = ReadBytes(path, limits.maxBytes, checkStart);
+    try {
+        const std::string text = Checker(limits).Checked({reinterpret_cast<const char*>(file.data()), file.size()});
+        const tinyobj::ObjReader reader = Parse(text);
+        return Merge(reader.GetAttrib(), Triangles(reader.GetShapes()[0].mesh), limits);
+    } catch (const Error& error) {
+        throw Error("{}: {}", InputName(path), error.what());
+    }
+}
+
+}  // namespace boxcar
