@@ -66,6 +66,7 @@ Stats Focus(Device& device, const Job& job, const DofOptions& options) {
         largestDifference = std::max(largestDifference, std::abs(texel.r - static_cast<float>(options.focus)));
     const Lens lens{static_cast<float>(options.focus), static_cast<float>(options.aperture)};
     DepthOfFieldDesc desc{.extent = extent,
+                          .taps = Taps(options.read),
                           .boxes = options.discBoxes,
                           .sides = options.discSides,
                           .largestTexels = std::clamp(lens.apertureTexels * largestDifference, 1.0f, kMaxSizeTexels)};

@@ -13,6 +13,7 @@ DepthOfField::DepthOfField(Device& device, const DepthOfFieldDesc& desc)
                       .precision = desc.precision,
                       .boxes = desc.boxes,
                       .sides = desc.sides,
+                      .taps = desc.taps,
                       .bias = desc.bias,
                       .codes = desc.codes}) {}
 

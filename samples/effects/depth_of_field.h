@@ -21,6 +21,7 @@ struct Lens {
 
 struct DepthOfFieldDesc {
     Extent2D extent = {};       // texels
+    uint32_t taps = 4;          // texels added per pass while the table is built: 2, 4, 8 or 16
     uint32_t boxes = 16;        // of equal height, that stand for a circle
     uint32_t sides = 0;         // of an aperture with so many blades, 3 to 16; 0: round
     float largestTexels = 256;  // the largest circle to come; larger ones become this
