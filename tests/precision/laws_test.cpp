@@ -195,7 +195,7 @@ TEST(PrecisionLaws, TruncatedErrorsDoNotAverageOut) {
 // A serial scan shares its error with its neighbours: the 1 x 1 box looks better, every wide one is worse, and so are
 // the entries.
 TEST(PrecisionLaws, TreeEntriesAreBetterThanSerialOnesThoughNarrowBoxesAreNot) {
-    const Subject subject = Photograph("fruits.jpg");
+    const Subject subject = Photograph("fruits.jpg", {150, 130, 200, 180});
     Meter meter(TestDevice(), subject);
     const Measurement tree = meter.Measure({});
     const Measurement serial = meter.Measure({.taps = 2, .builder = Builder::Lines});
