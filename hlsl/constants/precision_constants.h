@@ -17,14 +17,6 @@ struct PrecisionTexelConstants
     float scale;        // times the source: 1, or the largest code
 };
 
-// precision_pass.ps: one pass of building the table.
-struct PrecisionPassConstants
-{
-    int2 extentTexels;
-    int2 middleTexels;  // where the four quadrants meet; (0, 0) for a table from the corner
-    int4 strideTexels;  // .xy: from one tap to the next, (s, 0) or (0, s)
-};
-
 // precision_line.ps, precision_merge.ps: one line, and the two targets into one.
 struct PrecisionLineConstants
 {

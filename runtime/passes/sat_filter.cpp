@@ -80,6 +80,12 @@ bool SATIsWhole(glm::vec2 sizeTexels, uint32_t order) {
     return axis(std::max(sizeTexels.x, 1.0f)) && axis(std::max(sizeTexels.y, 1.0f));
 }
 
+SATPrecision SATExactPrecision(glm::vec2 sizeTexels, uint32_t order, bool isWhole, const SATCodes& codes) {
+    const float mass = SATLargestMass(SATPrecision::U32, codes);
+    const bool fits = SATBoxIsExact(sizeTexels, static_cast<int>(order), isWhole, mass);
+    return fits ? SATPrecision::U32 : SATPrecision::U64;
+}
+
 SATGaussian SATGaussianWithin(float relativeError) {
     // Minima of the distance over the width (SATGaussian.ErrorsAndWidthsAreThoseOfTheBestKernels).
     constexpr SATGaussian kKernels[] = {{1, 3.274f, 0.530f}, {2, 2.316f, 0.098f}, {3, 1.923f, 0.042f}};

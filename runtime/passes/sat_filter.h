@@ -43,6 +43,9 @@ bool SATIsWhole(glm::vec2 sizeTexels, uint32_t order);
 //   isWhole  for whole widths (SATIsWhole); else for any, as maps of widths have them
 uint32_t SATLargestWidthTexels(SATPrecision precision, const SATCodes& codes, uint32_t order, bool isWhole = true);
 
+// U32 where it is sure to hold the kernel, else U64.
+SATPrecision SATExactPrecision(glm::vec2 sizeTexels, uint32_t order, bool isWhole, const SATCodes& codes);
+
 // The kernel that stands for a Gaussian of standard deviation sigma: boxes of width widthOverSigma * sigma.
 struct SATGaussian {
     uint32_t order = 1;

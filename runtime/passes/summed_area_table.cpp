@@ -39,6 +39,12 @@ uint32_t SummedAreaTablePassCount(uint32_t sizeTexels, uint32_t taps) {
     return passes;
 }
 
+uint32_t SummedAreaTablePassTaps(uint32_t taps, uint32_t strideTexels, uint32_t sizeTexels) {
+    while (taps > 2 && strideTexels * (taps / 2) >= sizeTexels)
+        taps /= 2;
+    return taps;
+}
+
 double SummedAreaTableBits(Extent2D extent, uint32_t sampleBits, uint32_t order) {
     return order * (std::log2(extent.widthTexels) + std::log2(extent.heightTexels)) + sampleBits;
 }
@@ -90,9 +96,7 @@ void SummedAreaTable::AddAxis(int axis, uint32_t time) {
         Rect area{0, 0, m_desc.extent.widthTexels, m_desc.extent.heightTexels};
         if (origin == 0) (axis == 0 ? area.xTexels : area.yTexels) = finished;
         (axis == 0 ? area.widthTexels : area.heightTexels) -= finished;
-        uint32_t taps = m_desc.taps;
-        while (taps > 2 && stride * (taps / 2) >= length)
-            taps /= 2;
+        const uint32_t taps = SummedAreaTablePassTaps(m_desc.taps, stride, length);
         glm::ivec2 strideTexels(0);
         strideTexels[axis] = static_cast<int>(stride);
         m_steps.push_back(

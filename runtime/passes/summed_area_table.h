@@ -54,6 +54,9 @@ struct SummedAreaTableDesc {
 // Passes along an axis of `sizeTexels`: the smallest P with taps^P >= sizeTexels, in integers.
 uint32_t SummedAreaTablePassCount(uint32_t sizeTexels, uint32_t taps);
 
+// Texels that the pass of `strideTexels` adds: the fewest of taps, taps / 2, .. that finish an axis of `sizeTexels`.
+uint32_t SummedAreaTablePassTaps(uint32_t taps, uint32_t strideTexels, uint32_t sizeTexels);
+
 // Bits that the papers give a table of order n so that it never wraps: n (log2 W + log2 H) + those of a sample. 24
 // for 256 x 256 texels of 8 bits, 40 for the second order of them. Tables of integers need only those of the sums
 // under the filter (hlsl/boxcar/sat_range.h).

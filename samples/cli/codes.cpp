@@ -83,4 +83,15 @@ CodeWords EncodeRows(const Picture& picture, Transfer transfer, SATPrecision pre
     return words;
 }
 
+UploadedWords UploadCodes(Device& device, const Picture& picture, Transfer transfer, SATPrecision precision,
+                          uint32_t firstRow, uint32_t rows) {
+    const Extent2D extent{picture.widthTexels, rows};
+    const CodeWords codes = EncodeRows(picture, transfer, precision, firstRow, rows);
+    UploadedWords words;
+    words.images.push_back(Upload(device, extent, std::span(codes.low), "source"));
+    if (precision == SATPrecision::U64)
+        words.images.push_back(Upload(device, extent, std::span(codes.high), "source, upper words"));
+    return words;
+}
+
 }  // namespace boxcar

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "runtime/passes/sat_filter.h"
+#include "samples/cli/device_run.h"
 #include "samples/cli/options.h"
 #include "samples/files/picture.h"
 
@@ -30,5 +31,9 @@ struct CodeWords {
 // The codes of rows [firstRow, firstRow + rows), from the top.
 CodeWords EncodeRows(const Picture& picture, Transfer transfer, SATPrecision precision, uint32_t firstRow,
                      uint32_t rows);
+
+// The same on the device.
+UploadedWords UploadCodes(Device& device, const Picture& picture, Transfer transfer, SATPrecision precision,
+                          uint32_t firstRow, uint32_t rows);
 
 }  // namespace boxcar

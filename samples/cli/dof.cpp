@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <memory>
 
-#include "hlsl/boxcar/sat_range.h"
 #include "samples/cli/batch.h"
 #include "samples/cli/codes.h"
 #include "samples/cli/device_run.h"
@@ -19,8 +18,7 @@ struct DofOptions : BatchOptions {
     std::string depthIs = "disparity";
     double focus = -1;
     double aperture = -1;
-    uint32_t discBoxes = 16;
-    uint32_t discSides = 0;
+    DiscOptions disc;
 };
 
 void RequirePossible(const DofOptions& options) {
@@ -36,10 +34,7 @@ void RequirePossible(const DofOptions& options) {
 
 // Disparity of every texel, in red.
 std::vector<glm::vec4> ReadDisparity(const Picture& picture, const Device& device, const DofOptions& options) {
-    const Picture depth = ReadForDevice(options.depth, device, options.read);
-    if (depth.widthTexels != picture.widthTexels || depth.heightTexels != picture.heightTexels)
-        throw Error("{}: {} x {} texels; the depth must be as large as the picture, {} x {}", options.depth,
-                    depth.widthTexels, depth.heightTexels, picture.widthTexels, picture.heightTexels);
+    const Picture depth = ReadBeside(picture, options.depth, "depth", device, options.read);
     std::vector<float> disparity;
     for (size_t i = 0; i < depth.samples.size(); i += depth.channels) {
         if (depth.samples[i] < 0)
@@ -67,34 +62,29 @@ Stats Focus(Device& device, const Job& job, const DofOptions& options) {
     const Lens lens{static_cast<float>(options.focus), static_cast<float>(options.aperture)};
     DepthOfFieldDesc desc{.extent = extent,
                           .taps = Taps(options.read),
-                          .boxes = options.discBoxes,
-                          .sides = options.discSides,
+                          .boxes = options.disc.Boxes(),
+                          .sides = options.disc.Sides(),
                           .largestTexels = std::clamp(lens.apertureTexels * largestDifference, 1.0f, kMaxSizeTexels)};
-    std::vector<Image> words;
+    UploadedWords words;
     if (picture.stored == SampleType::Unorm8) {
         // 16 bits of linear light are enough for 8 of sRGB, and are summed without a rounding.
         desc.codes = CodesFor(picture, job.input, transfer, SATPrecision::U32);
-        const float mass = SATLargestMass(SATPrecision::U32, desc.codes);
-        const bool isNarrow = SATBoxIsExact(glm::vec2(desc.largestTexels), 1, false, mass);
-        desc.precision = isNarrow ? SATPrecision::U32 : SATPrecision::U64;
-        const CodeWords codes = EncodeRows(picture, transfer, desc.precision, 0, extent.heightTexels);
-        words.push_back(Upload(device, extent, std::span(codes.low), "color"));
-        if (!isNarrow) words.push_back(Upload(device, extent, std::span(codes.high), "color, upper words"));
+        desc.precision = SATExactPrecision(glm::vec2(desc.largestTexels), 1, false, desc.codes);
+        words = UploadCodes(device, picture, transfer, desc.precision, 0, extent.heightTexels);
     } else {
         desc.precision = SATPrecision::FP32;
         desc.bias = picture.stored == SampleType::Float32 ? BlurBias::None : BlurBias::Mean;
-        words.push_back(Upload(device, extent, std::span<const glm::vec4>(ToLight(picture, transfer)), "color"));
+        words.images.push_back(
+            Upload(device, extent, std::span<const glm::vec4>(ToLight(picture, transfer)), "color"));
     }
     DepthOfField effect(device, desc);
     const Image disparity = Upload(device, extent, std::span(depth), "disparity");
     CommandList commands(device, CommandList::Timing::On);
-    const Image& result = effect.Record(
-        commands, words.size() > 1 ? TexelWords(words[0], words[1]) : TexelWords(words[0]), disparity, lens);
+    const Image& result = effect.Record(commands, words, disparity, lens);
     commands.SubmitAndWait();
 
     const std::vector<glm::vec4> texels = Download<glm::vec4>(device, result);
-    if (!std::ranges::all_of(texels, IsFinite))
-        throw Error("{}: its sums are beyond float32's largest number; scale its samples down", job.input);
+    RequireFiniteSums(texels, job.input);
     const SampleType sampleType = SampleTypeFor(job.format, picture.stored);
     WritePicture(FromLight(texels, picture, transfer, sampleType), job.output, job.format, sampleType);
     return {.input = job.input,
@@ -135,15 +125,7 @@ void AddDofCommand(CLI::App& app) {
                     "Diameter of the circle for a disparity that differs by 1, texels")
         ->required()
         ->type_name("A");
-    command
-        .add_option("--disc-boxes", options->discBoxes, "Boxes of equal height that a circle is made of (default 16)")
-        ->check(CLI::Range(1, 1024))
-        ->type_name("N");
-    command
-        .add_option("--disc-sides", options->discSides,
-                    "A polygon of 3 to 16 sides instead, as the blades of a lens make it; 0: round (default)")
-        ->check(CLI::IsMember({0, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16}))
-        ->type_name("N");
+    AddDiscOptions(command, options->disc);
     command.callback([options] {
         RequirePossible(*options);
         RunBatch("dof", *options, PlanJobs(options->files),

@@ -7,7 +7,6 @@
 #include <glm/common.hpp>
 #include <memory>
 
-#include "hlsl/boxcar/sat_range.h"
 #include "samples/cli/bands.h"
 #include "samples/cli/batch.h"
 #include "samples/cli/codes.h"
@@ -26,8 +25,7 @@ struct FilterOptions : BatchOptions {
     std::string widthMax;
     std::string shapeWord = "box";
     std::optional<double> gaussPercent;
-    std::optional<uint32_t> discBoxes;
-    std::optional<uint32_t> discSides;
+    DiscOptions disc;
     std::string edgeWord = "clip";
     int bits = 0;
 };
@@ -55,8 +53,8 @@ Kernel ParseKernel(const FilterOptions& options) {
     if (options.shapeWord == "tent") kernel.order = 2;
     if (options.shapeWord == "parabolic") kernel.order = 3;
     if (options.shapeWord == "disc") {
-        kernel.boxes = options.discBoxes.value_or(16);
-        kernel.sides = options.discSides.value_or(0);
+        kernel.boxes = options.disc.Boxes();
+        kernel.sides = options.disc.Sides();
     }
     if (options.shapeWord == "gauss") {
         const double percent = options.gaussPercent.value_or(5);
@@ -71,8 +69,8 @@ Kernel ParseKernel(const FilterOptions& options) {
     }
     if (options.gaussPercent && options.shapeWord != "gauss")
         throw UsageError("--gauss-error with --shape {}: it is for --shape gauss", options.shapeWord);
-    if ((options.discBoxes || options.discSides) && options.shapeWord != "disc")
-        throw UsageError("--disc-{} with --shape {}: it is for --shape disc", options.discBoxes ? "boxes" : "sides",
+    if ((options.disc.boxes || options.disc.sides) && options.shapeWord != "disc")
+        throw UsageError("--disc-{} with --shape {}: it is for --shape disc", options.disc.boxes ? "boxes" : "sides",
                          options.shapeWord);
     if (options.widthMap.empty()) {
         if (options.width.empty()) throw UsageError("--width is missing: W or WxH in texels, or a --width-map");
@@ -129,18 +127,13 @@ SATPrecision ExactPrecision(const Picture& picture, const std::string& name, Tra
     const SATCodes codes = CodesFor(picture, name, transfer, SATPrecision::U32);
     const glm::vec2 size = glm::max(kernel.minTexels, kernel.maxTexels);
     const bool isWhole = !hasMap && SATIsWhole(size, kernel.order);
-    return SATBoxIsExact(size, static_cast<int>(kernel.order), isWhole, SATLargestMass(SATPrecision::U32, codes))
-               ? SATPrecision::U32
-               : SATPrecision::U64;
+    return SATExactPrecision(size, kernel.order, isWhole, codes);
 }
 
 // A map of widths, of the picture's extent, for the device.
 std::vector<glm::vec4> ReadWidthMap(const std::string& path, const Picture& picture, const Device& device,
                                     const ReadOptions& options) {
-    const Picture map = ReadForDevice(path, device, options);
-    if (map.widthTexels != picture.widthTexels || map.heightTexels != picture.heightTexels)
-        throw Error("{}: {} x {} texels; the map of widths must be as large as the picture, {} x {}", path,
-                    map.widthTexels, map.heightTexels, picture.widthTexels, picture.heightTexels);
+    const Picture map = ReadBeside(picture, path, "map of widths", device, options);
     std::vector<glm::vec4> texels = ToLight(map, Transfer::Raw);
     for (const glm::vec4& texel : texels)
         if (texel.r < 0 || texel.r > 1)
@@ -202,18 +195,13 @@ public:
         if (precision == SATPrecision::FP32) m_texels = ToLight(picture, transfer);
     }
 
-    std::vector<Image> UploadWords(Device& device, const Band& band) const {
+    UploadedWords UploadWords(Device& device, const Band& band) const {
+        if (m_precision != SATPrecision::FP32)
+            return UploadCodes(device, m_picture, m_transfer, m_precision, band.firstRead, band.rowsRead);
         const Extent2D extent{m_picture.widthTexels, band.rowsRead};
-        std::vector<Image> words;
-        if (m_precision == SATPrecision::FP32) {
-            words.push_back(Upload(device, extent,
-                                   RowsOf(m_texels, extent.widthTexels, band.firstRead, band.rowsRead), "source"));
-            return words;
-        }
-        const CodeWords codes = EncodeRows(m_picture, m_transfer, m_precision, band.firstRead, band.rowsRead);
-        words.push_back(Upload(device, extent, std::span(codes.low), "source"));
-        if (m_precision == SATPrecision::U64)
-            words.push_back(Upload(device, extent, std::span(codes.high), "source, upper words"));
+        UploadedWords words;
+        words.images.push_back(
+            Upload(device, extent, RowsOf(m_texels, extent.widthTexels, band.firstRead, band.rowsRead), "source"));
         return words;
     }
 
@@ -236,28 +224,27 @@ std::vector<glm::vec4> FilterBands(Device& device, const BandedPicture& source, 
                                    Stats& stats) {
     const Extent2D extent = desc.extent;
     const bool isRepeated = desc.edge == SATEdge::Repeat || desc.edge == SATEdge::Mirror;
-    const glm::dvec2 reach =
-        glm::ceil(0.5 * kernel.order * glm::dvec2(glm::max(desc.largestTexels, glm::vec2(1)))) + 1.0;
-    const glm::dvec2 extended = glm::dvec2(extent.widthTexels, extent.heightTexels) + 2.0 * reach;
+    const Extent2D reach = BlurReach(kernel.order, desc.largestTexels);
+    const uint32_t extendedWidth = extent.widthTexels + 2 * reach.widthTexels;
+    const uint32_t extendedHeight = extent.heightTexels + 2 * reach.heightTexels;
     const uint32_t largestSide = device.Limits().maxSideTexels;
-    if (isRepeated && desc.order > 1 && std::max(extended.x, extended.y) > largestSide)
+    if (isRepeated && desc.order > 1 && std::max(extendedWidth, extendedHeight) > largestSide)
         throw Error(
-            "a kernel that reaches {:.0f} x {:.0f} texels over a repeated picture extends it to {:.0f} x {:.0f}; "
+            "a kernel that reaches {} x {} texels over a repeated picture extends it to {} x {}; "
             "this device takes {} a side: a smaller --width, a box, or --edge clip",
-            reach.x, reach.y, extended.x, extended.y, largestSide);
+            reach.widthTexels, reach.heightTexels, extendedWidth, extendedHeight, largestSide);
     const std::vector<Band> bands = isRepeated ? std::vector<Band>{{0, extent.heightTexels, 0, extent.heightTexels}}
-                                               : PlanBands(extent, static_cast<uint32_t>(reach.y));
+                                               : PlanBands(extent, reach.heightTexels);
     std::vector<glm::vec4> filtered;
     filtered.reserve(extent.Texels());
     for (const Band& band : bands) {
         desc.extent.heightTexels = band.rowsRead;
         Blur blur(device, desc);
-        const std::vector<Image> words = source.UploadWords(device, band);
+        const UploadedWords words = source.UploadWords(device, band);
         const std::optional<Image> map = source.UploadMap(device, band);
         CommandList commands(device, CommandList::Timing::On);
-        const Image& result =
-            blur.Record(commands, words.size() > 1 ? TexelWords(words[0], words[1]) : TexelWords(words[0]),
-                        map ? SATWidths(*map, kernel.minTexels, kernel.maxTexels) : SATWidths(kernel.maxTexels));
+        const Image& result = blur.Record(
+            commands, words, map ? SATWidths(*map, kernel.minTexels, kernel.maxTexels) : SATWidths(kernel.maxTexels));
         commands.SubmitAndWait();
         const auto rows = Download<glm::vec4>(device, result);
         const auto own = RowsOf(rows, extent.widthTexels, band.firstRow - band.firstRead, band.rows);
@@ -273,11 +260,10 @@ std::vector<glm::vec4> FilterBands(Device& device, const BandedPicture& source, 
 // One line for texels that the filter marked as NaN, because their width asks for more than the words hold. Throws
 // Error where floats have overflowed.
 void ReportMarked(const std::vector<glm::vec4>& texels, const BlurDesc& desc, const Picture& picture,
-                  SampleType sampleType) {
+                  SampleType sampleType, const std::string& name) {
+    if (desc.precision == SATPrecision::FP32) return RequireFiniteSums(texels, name);
     const auto marked = std::ranges::count_if(texels, [](const glm::vec4& texel) { return !IsFinite(texel); });
     if (marked == 0) return;
-    if (desc.precision == SATPrecision::FP32)
-        throw Error("its sums are beyond float32's largest number; scale its samples down");
     const uint32_t side = SATLargestWidthTexels(desc.precision, desc.codes, desc.order, false);
     fmt::print(stderr, "boxcar: {} of {} texels ask for wider sums than {} holds ({} x {}) and are marked, as {}\n",
                marked, texels.size(), SATPrecisionName(desc.precision), side, side,
@@ -305,10 +291,10 @@ Stats Filter(Device& device, const Job& job, const FilterOptions& options) {
             std::vector<glm::vec4> map;
             if (!options.widthMap.empty()) map = ReadWidthMap(options.widthMap, picture, device, options.read);
             texels = FilterBands(device, {picture, transfer, desc.precision, std::move(map)}, desc, kernel, stats);
-            ReportMarked(texels, desc, picture, sampleType);
         } catch (const Error& error) {
             throw Error("{}: {}", job.input, error.what());
         }
+        ReportMarked(texels, desc, picture, sampleType, job.input);
     }
     WritePicture(FromLight(texels, picture, transfer, sampleType), job.output, job.format, sampleType);
     return stats;
@@ -357,15 +343,7 @@ void AddFilterCommand(CLI::App& app) {
             "gauss: distance to a Gaussian that is accepted, relative L2 in percent: 4.2 and more is parabolic "
             "(default 5), 9.8 tent, 53 box")
         ->type_name("P");
-    command
-        .add_option("--disc-boxes", options->discBoxes, "disc: boxes of equal height that it is made of (default 16)")
-        ->check(CLI::Range(1, 1024))
-        ->type_name("N");
-    command
-        .add_option("--disc-sides", options->discSides,
-                    "disc: a polygon of 3 to 16 sides instead, as the blades of a lens make it; 0: round (default)")
-        ->check(CLI::IsMember({0, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16}))
-        ->type_name("N");
+    AddDiscOptions(command, options->disc);
     command
         .add_option("--edge", options->edgeWord,
                     "clip: divide by what of the kernel lies inside the picture (default); zero: the picture is 0 "

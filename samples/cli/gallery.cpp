@@ -89,12 +89,11 @@ private:
         desc.extent = photograph.Extent();
         desc.precision = SATPrecision::U64;
         desc.codes = CodesFor(photograph.picture, "picture", transfer, desc.precision);
-        const CodeWords codes = EncodeRows(photograph.picture, transfer, desc.precision, 0, desc.extent.heightTexels);
-        const Image low = Upload(m_device, desc.extent, std::span(codes.low), "source");
-        const Image high = Upload(m_device, desc.extent, std::span(codes.high), "source, upper words");
+        const UploadedWords words =
+            UploadCodes(m_device, photograph.picture, transfer, desc.precision, 0, desc.extent.heightTexels);
         Blur blur(m_device, desc);
         CommandList commands(m_device);
-        const Image& result = blur.Record(commands, TexelWords(low, high), sizeTexels);
+        const Image& result = blur.Record(commands, words, sizeTexels);
         commands.SubmitAndWait();
         return Download<glm::vec4>(m_device, result);
     }
@@ -371,8 +370,8 @@ void Gallery::LensOnAPhotograph() {
     desc.codes = CodesFor(aloe.picture, "aloeL.jpg", Transfer::Srgb, SATPrecision::U32);
     desc.precision = SATPrecision::U32;
     DepthOfField effect(m_device, desc);
-    const CodeWords codes = EncodeRows(aloe.picture, Transfer::Srgb, desc.precision, 0, desc.extent.heightTexels);
-    const Image color = Upload(m_device, desc.extent, std::span(codes.low), "color");
+    const UploadedWords color =
+        UploadCodes(m_device, aloe.picture, Transfer::Srgb, desc.precision, 0, desc.extent.heightTexels);
     const Image map = Upload(m_device, desc.extent, std::span<const glm::vec4>(widths), "disparity");
     CommandList commands(m_device);
     const Image& result = effect.Record(commands, color, map, {0.5f, 100});

@@ -1,5 +1,6 @@
 #include "samples/cli/light.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "samples/files/color.h"
@@ -41,6 +42,11 @@ Picture FromLight(const std::vector<glm::vec4>& texels, const Picture& like, Tra
 
 bool IsFinite(const glm::vec4& texel) {
     return std::isfinite(texel.x) && std::isfinite(texel.y) && std::isfinite(texel.z) && std::isfinite(texel.w);
+}
+
+void RequireFiniteSums(const std::vector<glm::vec4>& texels, const std::string& name) {
+    if (!std::ranges::all_of(texels, IsFinite))
+        throw Error("{}: its sums are beyond float32's largest number; scale its samples down", name);
 }
 
 }  // namespace boxcar

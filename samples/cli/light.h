@@ -22,4 +22,7 @@ Picture FromLight(const std::vector<glm::vec4>& texels, const Picture& like, Tra
 // Whether no channel is NaN or infinite.
 bool IsFinite(const glm::vec4& texel);
 
+// Throws Error, which begins with `name`, where sums of floats have overflowed.
+void RequireFiniteSums(const std::vector<glm::vec4>& texels, const std::string& name);
+
 }  // namespace boxcar

@@ -69,6 +69,15 @@ Picture ReadForDevice(const std::string& path, const Device& device, const ReadO
     return picture;
 }
 
+Picture ReadBeside(const Picture& picture, const std::string& path, const std::string& what, const Device& device,
+                   const ReadOptions& options) {
+    Picture beside = ReadForDevice(path, device, options);
+    if (beside.widthTexels != picture.widthTexels || beside.heightTexels != picture.heightTexels)
+        throw Error("{}: {} x {} texels; the {} must be as large as the picture, {} x {}", path, beside.widthTexels,
+                    beside.heightTexels, what, picture.widthTexels, picture.heightTexels);
+    return beside;
+}
+
 Transfer TransferFor(const Picture& picture, const ReadOptions& options) {
     if (options.transferWord == "auto") return picture.stored == SampleType::Float32 ? Transfer::Raw : Transfer::Srgb;
     return options.transferWord == "srgb" ? Transfer::Srgb : Transfer::Raw;
@@ -121,6 +130,17 @@ void RequireFloatOptionsFit(const TableOptions& options) {
     if (options.originWord == "center")
         throw UsageError("--origin center with --precision {}: integers do not round; it is for fp32",
                          options.precisionWord);
+}
+
+void AddDiscOptions(CLI::App& command, DiscOptions& options) {
+    command.add_option("--disc-boxes", options.boxes, "disc: boxes of equal height that it is made of (default 16)")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+    command
+        .add_option("--disc-sides", options.sides,
+                    "disc: a polygon of 3 to 16 sides instead, as the blades of a lens make it; 0: round (default)")
+        ->check(CLI::IsMember({0, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16}))
+        ->type_name("N");
 }
 
 glm::vec2 ParseSize(const std::string& flag, const std::string& text) {

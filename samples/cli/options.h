@@ -48,6 +48,11 @@ void AddReadOptions(CLI::App& command, ReadOptions& options);
 // Reads a picture that fits the device, refuses or replaces what is not finite.
 Picture ReadForDevice(const std::string& path, const Device& device, const ReadOptions& options);
 
+// The same for a picture that goes with another, texel for texel. `what`: how the line calls it that says the sizes
+// differ.
+Picture ReadBeside(const Picture& picture, const std::string& path, const std::string& what, const Device& device,
+                   const ReadOptions& options);
+
 // srgb for integer files and raw for float files, unless said otherwise.
 Transfer TransferFor(const Picture& picture, const ReadOptions& options);
 
@@ -67,6 +72,16 @@ SATOrigin OriginOf(const TableOptions& options);
 
 // Throws UsageError: a bias, or sums from the center, for integers.
 void RequireFloatOptionsFit(const TableOptions& options);
+
+// Flags of the commands that blur under discs.
+struct DiscOptions {
+    std::optional<uint32_t> boxes;
+    std::optional<uint32_t> sides;
+
+    uint32_t Boxes() const { return boxes.value_or(16); }
+    uint32_t Sides() const { return sides.value_or(0); }
+};
+void AddDiscOptions(CLI::App& command, DiscOptions& options);
 
 // The largest width that a command takes: twice the largest side.
 constexpr float kMaxSizeTexels = 32768;

@@ -120,13 +120,9 @@ Stats WriteTable(Device& device, const Job& job, const SatOptions& options) {
 
     if (!isFloat) {
         CodesFor(picture, job.input, transfer, precision);
-        const CodeWords codes = EncodeRows(picture, transfer, precision, 0, extent.heightTexels);
         const bool isWide = precision == SATPrecision::U64;
-        std::vector<Image> words;
-        words.push_back(Upload(device, extent, std::span(codes.low), "source"));
-        if (isWide) words.push_back(Upload(device, extent, std::span(codes.high), "source, upper words"));
-        const TexelWords sums =
-            table.Record(commands, isWide ? TexelWords(words[0], words[1]) : TexelWords(words[0]));
+        const UploadedWords words = UploadCodes(device, picture, transfer, precision, 0, extent.heightTexels);
+        const TexelWords sums = table.Record(commands, words);
         finish();
         std::vector<UintChannel> channels;
         AppendChannels(channels, Download<glm::uvec4>(device, *sums.low), picture.channels, isWide ? ".lo" : "");
@@ -149,8 +145,7 @@ Stats WriteTable(Device& device, const Job& job, const SatOptions& options) {
     const Image& sums = *table.Record(commands, source, bias).low;
     finish();
     const std::vector<glm::vec4> entries = Download<glm::vec4>(device, sums);
-    if (!std::ranges::all_of(entries, IsFinite))
-        throw Error("{}: its sums are beyond float32's largest number; scale its samples down", job.input);
+    RequireFiniteSums(entries, job.input);
     WritePicture(FromLight(entries, picture, transfer, SampleType::Float32), job.output, job.format,
                  SampleType::Float32);
     if (options.explain)

@@ -11,18 +11,12 @@
 namespace boxcar {
 namespace {
 
-// How far a kernel reaches to either side, in texels.
-Extent2D Reach(uint32_t order, glm::vec2 sizeTexels) {
-    const glm::vec2 reach = 0.5f * static_cast<float>(order) * glm::max(sizeTexels, glm::vec2(1));
-    return {static_cast<uint32_t>(std::ceil(reach.x)) + 1, static_cast<uint32_t>(std::ceil(reach.y)) + 1};
-}
-
 bool NeedsExtension(const BlurDesc& desc) {
     return desc.order > 1 && (desc.edge == SATEdge::Repeat || desc.edge == SATEdge::Mirror);
 }
 
 Extent2D Padding(const BlurDesc& desc) {
-    return NeedsExtension(desc) ? Reach(desc.order, desc.largestTexels) : Extent2D{0, 0};
+    return NeedsExtension(desc) ? BlurReach(desc.order, desc.largestTexels) : Extent2D{0, 0};
 }
 
 Extent2D TableExtent(const BlurDesc& desc) {
@@ -31,6 +25,11 @@ Extent2D TableExtent(const BlurDesc& desc) {
 }
 
 }  // namespace
+
+Extent2D BlurReach(uint32_t order, glm::vec2 sizeTexels) {
+    const glm::vec2 reach = 0.5f * static_cast<float>(order) * glm::max(sizeTexels, glm::vec2(1));
+    return {static_cast<uint32_t>(std::ceil(reach.x)) + 1, static_cast<uint32_t>(std::ceil(reach.y)) + 1};
+}
 
 Blur::Blur(Device& device, const BlurDesc& desc)
     : m_desc(desc),

@@ -18,6 +18,9 @@ enum class BlurBias {
     Mean,  // of the source: makes float32 round some 10 to 100 times less on a photograph; leave it for HDR
 };
 
+// How many texels to either side of it a kernel reads at the most.
+Extent2D BlurReach(uint32_t order, glm::vec2 sizeTexels);
+
 struct BlurDesc {
     Extent2D extent = {};  // texels
     SATPrecision precision = SATPrecision::FP32;

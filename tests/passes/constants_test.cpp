@@ -1,32 +1,12 @@
 // The structs that C++ and HLSL share have the same offsets in both.
 #include <gtest/gtest.h>
 
-#include <cstddef>
-#include <map>
-
 #include "hlsl/constants/effect_constants.h"
 #include "hlsl/constants/sat_constants.h"
-#include "passes_shaders.h"
-#include "tools/layout/shader_layout.h"
+#include "tests/support/offsets.h"
 
 namespace boxcar {
 namespace {
-
-using Offsets = std::map<std::string, uint32_t>;
-
-// The members that a shader uses: the optimiser may leave the rest out.
-Offsets OffsetsIn(std::string_view shader) {
-    const ShaderLayout layout = ShaderLayoutFromJson(passes_shaders::Find(shader).layoutJson);
-    Offsets offsets;
-    for (const LayoutResource& resource : layout.resources)
-        if (resource.kind == ResourceKind::PushConstants)
-            for (const LayoutMember& member : resource.members)
-                offsets[member.name] = member.offsetBytes;
-    return offsets;
-}
-
-#define OFFSET(Struct, member) \
-    { "g." #member, offsetof(Struct, member) }
 
 TEST(PassesConstants, OffsetsInCppEqualThoseInTheShaders) {
     const Offsets pass = {OFFSET(SATPassConstants, strideUv), OFFSET(SATPassConstants, strideTexels),

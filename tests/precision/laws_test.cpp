@@ -32,7 +32,7 @@ TEST(PrecisionLaws, AMantissaBitIsWorthSixDecibels) {
     for (const char* name : {"fruits.jpg", "building.jpg"}) {
         Meter meter(TestDevice(), Photograph(name, {0, 0, 256, 240}), {1});
         for (const Bias bias : {Bias::None, Bias::Half, Bias::Mean}) {
-            for (const Origin origin : {Origin::Corner, Origin::Center}) {
+            for (const SATOrigin origin : {SATOrigin::Corner, SATOrigin::Center}) {
                 const double fp16 = Snr(meter, {Precision::Fp16, bias, origin, 2});
                 const double fp24 = Snr(meter, {Precision::Fp24, bias, origin, 2});
                 const double fp32 = Snr(meter, {Precision::Fp32, bias, origin, 2});
@@ -61,12 +61,12 @@ TEST(PrecisionLaws, OriginInTheCenterGainsTwelveDecibels) {
          {Photograph("fruits.jpg"), Photograph("building.jpg"), Noise({256, 256}, 2), Constant({300, 200}, 200)}) {
         Meter meter(TestDevice(), subject, {1});
         const double corner = Snr(meter, {.precision = Precision::Fp24});
-        const double center = Snr(meter, {.precision = Precision::Fp24, .origin = Origin::Center});
+        const double center = Snr(meter, {.precision = Precision::Fp24, .origin = SATOrigin::Center});
         EXPECT_NEAR(center - corner, Decibels(4), 1) << subject.extent.widthTexels;
     }
 }
 
-double MeanGain(const Subject& subject, Origin origin = Origin::Corner) {
+double MeanGain(const Subject& subject, SATOrigin origin = SATOrigin::Corner) {
     Meter meter(TestDevice(), subject, {1});
     return Snr(meter, {.bias = Bias::Mean, .origin = origin}) - Snr(meter, {});
 }
@@ -81,7 +81,7 @@ TEST(PrecisionLaws, MeanGainsThirteenToThirtyDecibelsOnPhotographs) {
         for (const Rect crop : {Rect{}, Rect{0, 0, 256, 256}, Rect{128, 128, 256, 256}, kFlatWall}) {
             const Subject subject = Photograph(name, crop);
             const double mean = MeanGain(subject);
-            const double both = MeanGain(subject, Origin::Center);
+            const double both = MeanGain(subject, SATOrigin::Center);
             most = std::max(most, both);
             EXPECT_GT(mean, 13) << name << ", " << crop.widthTexels;
             EXPECT_LT(mean, 30) << name << ", " << crop.widthTexels;
@@ -116,7 +116,7 @@ TEST(PrecisionLaws, BlackAndWhiteLessHalfIsExact) {
         const Subject subject = Checkerboard({256, 250}, square, 0, 255);
         Meter meter(TestDevice(), subject);
         for (const Precision precision : {Precision::Fp16, Precision::Fp24, Precision::Fp32})
-            for (const Origin origin : {Origin::Corner, Origin::Center})
+            for (const SATOrigin origin : {SATOrigin::Corner, SATOrigin::Center})
                 EXPECT_EQ(meter.Measure({precision, Bias::Half, origin}).widths[0].rms, 0.0)
                     << square << Name(precision);
         EXPECT_LT(Snr(meter, {.precision = Precision::Fp16}), 40);
@@ -126,7 +126,7 @@ TEST(PrecisionLaws, BlackAndWhiteLessHalfIsExact) {
 // The last number below infinity is 65504, and 65520 already rounds to it: 256 x 256 texels reach that with a mean of
 // 0.99976, which among 8-bit codes only 255 has; 257 x 256 texels of 254 do, too.
 TEST(PrecisionLaws, WhitePicturesOverflowAHalf) {
-    const auto overflows = [](const Subject& subject, Bias bias = Bias::None, Origin origin = Origin::Corner) {
+    const auto overflows = [](const Subject& subject, Bias bias = Bias::None, SATOrigin origin = SATOrigin::Corner) {
         Meter meter(TestDevice(), subject, {1});
         const Measurement measured = meter.Measure({Precision::Fp16, bias, origin});
         EXPECT_EQ(measured.snrDb.has_value(), measured.widths[0].rms.has_value());
@@ -136,7 +136,7 @@ TEST(PrecisionLaws, WhitePicturesOverflowAHalf) {
     EXPECT_FALSE(overflows(Constant({256, 256}, 254)));
     EXPECT_TRUE(overflows(Constant({257, 256}, 254)));
     EXPECT_FALSE(overflows(Constant({256, 256}, 255), Bias::Half));
-    EXPECT_FALSE(overflows(Constant({256, 256}, 255), Bias::None, Origin::Center));
+    EXPECT_FALSE(overflows(Constant({256, 256}, 255), Bias::None, SATOrigin::Center));
     Meter meter(TestDevice(), Constant({256, 256}, 255));
     EXPECT_TRUE(meter.Measure({.precision = Precision::Fp24}).snrDb);
 }
@@ -161,7 +161,7 @@ TEST(PrecisionLaws, MeanOfAnHdrPictureHurtsItsDarkTexels) {
     };
     const double none = errorBeforeTheSun({});
     EXPECT_GT(errorBeforeTheSun({.bias = Bias::Mean}), 30 * none);
-    EXPECT_LT(errorBeforeTheSun({.origin = Origin::Center}), none);
+    EXPECT_LT(errorBeforeTheSun({.origin = SATOrigin::Center}), none);
 }
 
 // Scheuermann 2005: precision errors are unbiased and average out over larger boxes. The four entries that are read
@@ -186,8 +186,8 @@ TEST(PrecisionLaws, ErrorsAreUnbiasedAndFallWithTheArea) {
 // Truncated sums are all too small, and more so the larger: narrow boxes do not notice, wide ones do.
 TEST(PrecisionLaws, TruncatedErrorsDoNotAverageOut) {
     Meter meter(TestDevice(), Photograph("fruits.jpg"));
-    const Measurement nearest = meter.Measure({.precision = Precision::Fp24, .origin = Origin::Center});
-    const Measurement truncated = meter.Measure({.precision = Precision::Fp24Truncated, .origin = Origin::Center});
+    const Measurement nearest = meter.Measure({.precision = Precision::Fp24, .origin = SATOrigin::Center});
+    const Measurement truncated = meter.Measure({.precision = Precision::Fp24Truncated, .origin = SATOrigin::Center});
     EXPECT_LT(*truncated.widths.front().rms, *nearest.widths.front().rms);
     EXPECT_GT(*truncated.widths.back().rms, 2 * *nearest.widths.back().rms);
 }

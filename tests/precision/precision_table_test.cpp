@@ -4,15 +4,16 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <cstddef>
 #include <cstring>
 
 #include "hlsl/constants/precision_constants.h"
+#include "hlsl/constants/sat_constants.h"
 #include "passes_shaders.h"
 #include "runtime/passes/summed_area_table.h"
 #include "test_support_shaders.h"
 #include "tests/precision/subjects.h"
 #include "tests/reference/precision.h"
+#include "tests/support/offsets.h"
 
 namespace boxcar {
 namespace {
@@ -55,7 +56,7 @@ TEST(PrecisionTable, EveryTapsGivesTheSameBitsWhereEveryAdditionIsRoundedAlike) 
         const Subject subject = Noise(extent, 2);
         for (const Precision precision :
              {Precision::Fp24, Precision::Fp24Truncated, Precision::Fp32, Precision::U32}) {
-            for (const Origin origin : {Origin::Corner, Origin::Center}) {
+            for (const SATOrigin origin : {SATOrigin::Corner, SATOrigin::Center}) {
                 const TableSetup setup{.precision = precision, .origin = origin, .taps = 2};
                 const Texels twoTaps = TableOf(subject, setup);
                 for (const uint32_t taps : kTaps) {
@@ -180,13 +181,13 @@ TEST(PrecisionTable, SnrIsThatOfTheDefinition) {
         for (const auto& [precision, arithmetic] : kinds) {
             for (const Bias bias : {Bias::None, Bias::Half, Bias::Mean}) {
                 const glm::vec4 taken[] = {glm::vec4(0), glm::vec4(0.5f), meter.Mean()};
-                for (const Origin origin : {Origin::Corner, Origin::Center}) {
+                for (const SATOrigin origin : {SATOrigin::Corner, SATOrigin::Center}) {
                     for (const uint32_t taps : {2u, 16u}) {
                         const auto measured = meter.Measure({precision, bias, origin, taps}).snrDb;
                         const double expected = reference::IdentitySnrDb(
                             image,
                             reference::BuildRounded(image, arithmetic, taken[static_cast<size_t>(bias)],
-                                                    origin == Origin::Center, taps),
+                                                    origin == SATOrigin::Center, taps),
                             3);
                         ASSERT_TRUE(measured);
                         EXPECT_NEAR(*measured, expected, 0.1)
@@ -199,28 +200,13 @@ TEST(PrecisionTable, SnrIsThatOfTheDefinition) {
     }
 }
 
-using Offsets = std::map<std::string, uint32_t>;
-
-Offsets OffsetsIn(std::string_view shader) {
-    const ShaderLayout layout = ShaderLayoutFromJson(passes_shaders::Find(shader).layoutJson);
-    Offsets offsets;
-    for (const LayoutResource& resource : layout.resources)
-        if (resource.kind == ResourceKind::PushConstants)
-            for (const LayoutMember& member : resource.members)
-                offsets[member.name] = member.offsetBytes;
-    return offsets;
-}
-
-#define OFFSET(Struct, member) \
-    { "g." #member, offsetof(Struct, member) }
-
 TEST(PrecisionConstants, OffsetsInCppEqualThoseInTheShaders) {
     EXPECT_EQ(OffsetsIn("shaders/precision_texel.ps.PRECISION=fp32"),
               Offsets({OFFSET(PrecisionTexelConstants, bias), OFFSET(PrecisionTexelConstants, extentTexels),
                        OFFSET(PrecisionTexelConstants, frameTexels), OFFSET(PrecisionTexelConstants, scale)}));
     EXPECT_EQ(OffsetsIn("shaders/precision_pass.ps.PRECISION=fp32.TAPS=2"),
-              Offsets({OFFSET(PrecisionPassConstants, extentTexels), OFFSET(PrecisionPassConstants, middleTexels),
-                       OFFSET(PrecisionPassConstants, strideTexels)}));
+              Offsets({OFFSET(SATPassConstants, strideUv), OFFSET(SATPassConstants, strideTexels),
+                       OFFSET(SATPassConstants, originTexels)}));
     EXPECT_EQ(OffsetsIn("shaders/precision_line.ps.PRECISION=fp32"),
               Offsets({OFFSET(PrecisionLineConstants, stepTexels)}));
     EXPECT_EQ(OffsetsIn("shaders/precision_box.ps.PRECISION=fp32"),

@@ -14,13 +14,13 @@ namespace {
 
 // Hensley 2005, sect. 4: both of its means together, and none.
 constexpr Bias kOurBias = Bias::Mean;
-constexpr Origin kOurOrigin = Origin::Center;
+constexpr SATOrigin kOurOrigin = SATOrigin::Center;
 
 Case Ours(Precision precision) {
     return {precision, kOurBias, kOurOrigin};
 }
 Case Old(Precision precision) {
-    return {precision, Bias::None, Origin::Corner};
+    return {precision, Bias::None, SATOrigin::Corner};
 }
 
 // A rectangle of a picture, which repeats.

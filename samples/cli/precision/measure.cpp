@@ -174,17 +174,17 @@ std::vector<Case> AllCases(uint32_t largestCode) {
     std::vector<Case> cases;
     for (const Precision precision : {Precision::Fp16, Precision::Fp24, Precision::Fp24Truncated, Precision::Fp32})
         for (const Bias bias : kBiases)
-            for (const Origin origin : {Origin::Corner, Origin::Center})
+            for (const SATOrigin origin : {SATOrigin::Corner, SATOrigin::Center})
                 for (const uint32_t taps : kTaps)
                     cases.push_back({precision, bias, origin, taps, Builder::Raster});
     if (largestCode > 0)
         for (const uint32_t taps : kTaps)
-            cases.push_back({Precision::U32, Bias::None, Origin::Corner, taps, Builder::Raster});
+            cases.push_back({Precision::U32, Bias::None, SATOrigin::Corner, taps, Builder::Raster});
     for (const Bias bias : kBiases)
-        cases.push_back({Precision::Fp32, bias, Origin::Corner, 4, Builder::Frame});
+        cases.push_back({Precision::Fp32, bias, SATOrigin::Corner, 4, Builder::Frame});
     for (const Precision precision : {Precision::Fp16, Precision::Fp32})
-        cases.push_back({precision, Bias::None, Origin::Corner, 2, Builder::Lines});
-    if (largestCode == 255) cases.push_back({Precision::U32, Bias::None, Origin::Corner, 4, Builder::Blocks});
+        cases.push_back({precision, Bias::None, SATOrigin::Corner, 2, Builder::Lines});
+    if (largestCode == 255) cases.push_back({Precision::U32, Bias::None, SATOrigin::Corner, 4, Builder::Blocks});
     return cases;
 }
 

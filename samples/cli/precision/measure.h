@@ -28,7 +28,7 @@ struct Subject {
 struct Case {
     Precision precision = Precision::Fp32;
     Bias bias = Bias::None;
-    Origin origin = Origin::Corner;
+    SATOrigin origin = SATOrigin::Corner;
     uint32_t taps = 4;
     Builder builder = Builder::Raster;
 };

@@ -8,7 +8,6 @@
 #include "hlsl/constants/precision_constants.h"
 #include "hlsl/constants/sat_constants.h"
 #include "passes_shaders.h"
-#include "runtime/passes/summed_area_table.h"
 #include "tools/layout/error.h"
 
 namespace boxcar {
@@ -30,21 +29,15 @@ uint32_t Blocks(uint32_t sizeTexels) {
     return (sizeTexels + kBlockTexels - 1) / kBlockTexels;
 }
 
-// The fewest of taps, taps / 2, .. that a pass needs to finish an axis, as SummedAreaTable has it.
-uint32_t NeededTaps(uint32_t taps, uint32_t strideTexels, uint32_t sizeTexels) {
-    while (taps > 2 && strideTexels * (taps / 2) >= sizeTexels)
-        taps /= 2;
-    return taps;
-}
-
 }  // namespace
 
 const char* Name(Precision precision) {
     constexpr const char* kNames[] = {"fp16", "fp24", "fp24t", "fp32", "u32"};
     return kNames[static_cast<size_t>(precision)];
 }
-const char* Name(Origin origin) {
-    return origin == Origin::Corner ? "corner" : "center";
+const char* Name(SATOrigin origin) {
+    constexpr const char* kNames[] = {"corner", "center", "lower-left"};
+    return kNames[static_cast<size_t>(origin)];
 }
 const char* Name(Builder builder) {
     constexpr const char* kNames[] = {"raster", "frame", "lines", "blocks"};
@@ -78,10 +71,6 @@ const Image& PrecisionTable::Target(const std::string& name, Format format, Exte
     return m_images.emplace(name, Image(m_device, {extent, format, name})).first->second;
 }
 
-int2 PrecisionTable::Middle(Origin origin) const {
-    return origin == Origin::Center ? SizeOf(m_extent) / 2 : int2(0);
-}
-
 const Image& PrecisionTable::Record(CommandList& commands, const Image& source, const TableSetup& setup) {
     BOXCAR_ASSERT(source.Extent() == m_extent);
     switch (setup.builder) {
@@ -112,15 +101,14 @@ const Image& PrecisionTable::RecordRaster(CommandList& commands, const Image& so
     const Format format = FormatOf(setup.precision);
     PingPong& targets = Targets(format, m_extent);
     RecordTexels(commands, source, setup, targets);
-    const int2 middle = Middle(setup.origin);
+    const int2 middle = OriginTexels(setup.origin, m_extent);
     for (const int2 axis : kAxes) {
         const int2 farther = glm::max(middle, SizeOf(m_extent) - middle) * axis;
         const auto sizeTexels = static_cast<uint32_t>(farther.x + farther.y);
         for (uint32_t stride = 1; stride < sizeTexels; stride *= setup.taps) {
-            const PrecisionPassConstants constants{SizeOf(m_extent), middle,
-                                                   int4(static_cast<int>(stride) * axis, 0, 0)};
+            const SATPassConstants constants{float2(0), static_cast<int>(stride) * axis, middle};
             const std::string shader = fmt::format("precision_pass.ps.PRECISION={}.TAPS={}", Name(setup.precision),
-                                                   NeededTaps(setup.taps, stride, sizeTexels));
+                                                   SummedAreaTablePassTaps(setup.taps, stride, sizeTexels));
             commands.Draw({.name = "sums",
                            .pipeline = PipelineOf(shader, format),
                            .reads = {{"source", &targets.Front()}},
@@ -134,7 +122,7 @@ const Image& PrecisionTable::RecordRaster(CommandList& commands, const Image& so
 
 const Image& PrecisionTable::RecordFrame(CommandList& commands, const Image& source, const TableSetup& setup) {
     constexpr uint32_t kTaps = 4;
-    BOXCAR_ASSERT(setup.precision == Precision::Fp32 && setup.origin == Origin::Corner && setup.taps == kTaps);
+    BOXCAR_ASSERT(setup.precision == Precision::Fp32 && setup.origin == SATOrigin::Corner && setup.taps == kTaps);
     const Extent2D framed{m_extent.widthTexels + 2, m_extent.heightTexels + 2};
     PingPong& targets = Targets(Format::RGBA32F, framed);
     RecordTexels(commands, source, setup, targets);
@@ -156,7 +144,7 @@ const Image& PrecisionTable::RecordFrame(CommandList& commands, const Image& sou
 }
 
 const Image& PrecisionTable::RecordLines(CommandList& commands, const Image& source, const TableSetup& setup) {
-    BOXCAR_ASSERT(setup.origin == Origin::Corner);
+    BOXCAR_ASSERT(setup.origin == SATOrigin::Corner);
     const Format format = FormatOf(setup.precision);
     PingPong& table = Targets(format, m_extent);
     const Image* turns[] = {&Target(fmt::format("even lines {}", Name(setup.precision)), format, m_extent),
@@ -217,7 +205,7 @@ const Image& PrecisionTable::RecordBox(CommandList& commands, const Image& table
     const bool whole = setup.precision == Precision::U32;
     const Format format = whole ? Format::RGBA32UI : Format::RGBA32F;
     const Image& result = Target(whole ? "box sums" : "box means", format, m_extent);
-    const PrecisionBoxConstants constants{SizeOf(m_extent), Middle(setup.origin), setup.bias,
+    const PrecisionBoxConstants constants{SizeOf(m_extent), OriginTexels(setup.origin, m_extent), setup.bias,
                                           int2(static_cast<int>(sizeTexels)),
                                           int2(setup.builder == Builder::Frame ? 1 : 0)};
     commands.Draw(

@@ -3,17 +3,17 @@
 //   source, W x H  ->  less the bias, rounded  ->  passes along x, along y, each rounded  ->  table  ->  box means
 //
 // Kept apart from runtime/passes: what is measured here is what SummedAreaTable does not do. Its own float32 table is
-// bit for bit the one of Precision::Fp32, Origin::Corner, Builder::Raster (PrecisionTable.IsTheProductsInFloat32).
+// bit for bit the one of Precision::Fp32, SATOrigin::Corner, Builder::Raster (PrecisionTable.IsTheProductsInFloat32).
 //
 // Crow 1984; Green 2003; Hensley 2005, sect. 4; Scheuermann 2005
 #pragma once
 
-#include <glm/ext/vector_int2.hpp>
 #include <glm/vec4.hpp>
 #include <map>
 #include <string>
 
 #include "runtime/command_list.h"
+#include "runtime/passes/summed_area_table.h"
 #include "runtime/ping_pong.h"
 
 namespace boxcar {
@@ -28,12 +28,6 @@ enum class Precision {
     U32,  // whole codes modulo 2^32
 };
 
-// Where the sums start. Hensley 2005, sect. 4.2.2
-enum class Origin {
-    Corner,
-    Center,  // extent / 2: each quadrant is summed outwards from there
-};
-
 enum class Builder {
     Raster,  // recursive doubling by whole addresses
     Frame,   // recursive doubling by interpolated uv, a black frame of a texel and clamping: Fp32, 4 taps, corner
@@ -44,13 +38,13 @@ enum class Builder {
 
 // The words of JSON and of the shaders' names: "fp24t", "center", "raster", ..
 const char* Name(Precision precision);
-const char* Name(Origin origin);
+const char* Name(SATOrigin origin);
 const char* Name(Builder builder);
 
 struct TableSetup {
     Precision precision = Precision::Fp32;
     glm::vec4 bias{0};  // taken off every texel before it is rounded; none under U32
-    Origin origin = Origin::Corner;
+    SATOrigin origin = SATOrigin::Corner;
     uint32_t taps = 4;  // 2, 4, 8 or 16
     Builder builder = Builder::Raster;
     uint32_t largestCode = 255;  // U32: a source of 1 is this code
@@ -81,7 +75,6 @@ private:
     const Image& RecordFrame(CommandList& commands, const Image& source, const TableSetup& setup);
     const Image& RecordLines(CommandList& commands, const Image& source, const TableSetup& setup);
     const Image& RecordBlocks(CommandList& commands, const Image& source, const TableSetup& setup);
-    glm::ivec2 Middle(Origin origin) const;
 
     Device& m_device;
     Extent2D m_extent;
