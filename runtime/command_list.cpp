@@ -49,6 +49,9 @@ void CheckTarget(const Pass& pass, const Image& image, Format format) {
     if (target.extent != pass.writes[0]->Extent())
         throw Error("pass '{}' writes '{}' and '{}', which differ in extent", pass.name, pass.writes[0]->Desc().name,
                     target.name);
+    if (target.layers != 1 || target.levels != 1)
+        throw Error("pass '{}' writes '{}', which has {} layers and {} levels: draw an image of one and copy it",
+                    pass.name, target.name, target.layers, target.levels);
     for (const Read& read : pass.reads)
         if (read.image == &image)
             throw Error("pass '{}' reads and writes '{}' at once: what it would read is undefined", pass.name,
@@ -119,11 +122,10 @@ void CommandList::Impl::Barrier(const Image& image, ImageUse use) {
     const ImageState next = StateFor(use);
     const bool readAfterRead = now.layout == next.layout && !Writes(now.access) && !Writes(next.access);
     if (readAfterRead) return;  // the barrier into this state covers every read in it
-    const auto aspect =
-        image.Desc().format == Format::Depth32F ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;
+    const auto aspect = AspectOf(image.Desc().format);
     const vk::ImageMemoryBarrier2 barrier(now.stages, now.access, next.stages, next.access, now.layout, next.layout,
                                           VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED, image.Handle(),
-                                          {aspect, 0, 1, 0, 1});
+                                          {aspect, 0, image.Desc().levels, 0, image.Desc().layers});
     commands.pipelineBarrier2(vk::DependencyInfo({}, {}, {}, barrier), *device->device.getDispatcher());
     now = next;
 }
@@ -236,14 +238,29 @@ void CommandList::Use(const Image& image, ImageUse use) {
     m_impl->Barrier(image, use);
 }
 
+void CommandList::Copy(const Image& source, const Image& target, uint32_t layer, uint32_t level) {
+    Impl& c = *m_impl;
+    const ImageDesc &from = source.Desc(), &to = target.Desc();
+    BOXCAR_ASSERT(from.layers == 1 && from.levels == 1 && from.format == to.format && layer < to.layers &&
+                  level < to.levels && from.extent == LevelExtent(to.extent, level) && &source != &target);
+    c.Barrier(source, ImageUse::TransferSource);
+    c.Barrier(target, ImageUse::TransferTarget);
+    const auto aspect = AspectOf(from.format);
+    const vk::ImageCopy region({aspect, 0, 0, 1}, {}, {aspect, level, layer, 1}, {},
+                               {from.extent.widthTexels, from.extent.heightTexels, 1});
+    c.commands.copyImage(source.Handle(), source.impl().state.layout, target.Handle(), target.impl().state.layout,
+                         region, *c.device->device.getDispatcher());
+}
+
 void CommandList::Clear(const Image& image, const float (&rgba)[4]) {
     Impl& c = *m_impl;
     BOXCAR_ASSERT(image.Desc().format != Format::Depth32F);
     c.Barrier(image, ImageUse::TransferTarget);
     const vk::ClearColorValue value = ClearValue({rgba[0], rgba[1], rgba[2], rgba[3]}, image.Desc().format);
-    c.commands.clearColorImage(image.Handle(), image.impl().state.layout, value,
-                               vk::ImageSubresourceRange(vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1),
-                               *c.device->device.getDispatcher());
+    c.commands.clearColorImage(
+        image.Handle(), image.impl().state.layout, value,
+        vk::ImageSubresourceRange(vk::ImageAspectFlagBits::eColor, 0, image.Desc().levels, 0, image.Desc().layers),
+        *c.device->device.getDispatcher());
 }
 
 void CommandList::SubmitAndWait() {

@@ -33,6 +33,9 @@ public:
     // Puts an image into the state for a use outside of Draw, with the barrier that it needs.
     void Use(const Image& image, ImageUse use);
 
+    // Copies an image of one layer and level into a part of `target`, of the same format and of that part's extent.
+    void Copy(const Image& source, const Image& target, uint32_t layer = 0, uint32_t level = 0);
+
     // Sets every texel. `rgba` is converted to the image's format, which is not Depth32F: a pass clears that.
     void Clear(const Image& image, const float (&rgba)[4]);
 

@@ -184,6 +184,10 @@ Device::Device(const DeviceDesc& desc) : m_impl(new Impl(LoadVulkan())) {
     vulkan13.dynamicRendering = vulkan13.synchronization2 = vulkan13.maintenance4 = true;
     vk::DeviceCreateInfo deviceInfo({}, queueInfo);
     deviceInfo.pNext = &vulkan13;
+    vk::PhysicalDeviceFeatures features;
+    features.samplerAnisotropy = d.physicalDevice.getFeatures().samplerAnisotropy;
+    deviceInfo.pEnabledFeatures = &features;
+    if (features.samplerAnisotropy) d.maxAnisotropy = d.physicalDevice.getProperties().limits.maxSamplerAnisotropy;
     d.device = vk::raii::Device(d.physicalDevice, deviceInfo);
     d.queue = d.device.getQueue(d.queueFamily, 0);
     d.Finish();

@@ -1,5 +1,8 @@
 #include "runtime/image.h"
 
+#include <algorithm>
+#include <bit>
+
 #include "runtime/vulkan.h"
 #include "tools/layout/error.h"
 
@@ -32,7 +35,22 @@ vk::ImageUsageFlags Usage(const Device::Impl& device, Format format) {
     return usage;
 }
 
+uint64_t Bytes(const ImageDesc& desc) {
+    uint64_t texels = 0;
+    for (uint32_t level = 0; level < desc.levels; level++)
+        texels += LevelExtent(desc.extent, level).Texels();
+    return texels * desc.layers * BytesPerTexel(desc.format);
+}
+
 }  // namespace
+
+uint32_t MipLevels(Extent2D extent) {
+    return static_cast<uint32_t>(std::bit_width(std::max(extent.widthTexels, extent.heightTexels)));
+}
+
+Extent2D LevelExtent(Extent2D extent, uint32_t level) {
+    return {std::max(extent.widthTexels >> level, 1u), std::max(extent.heightTexels >> level, 1u)};
+}
 
 Image::Image(Device& device, const ImageDesc& desc) : m_impl(new Impl) {
     Impl& i = *m_impl;
@@ -45,13 +63,21 @@ Image::Image(Device& device, const ImageDesc& desc) : m_impl(new Impl) {
     if (width > limits.maxSideTexels || height > limits.maxSideTexels)
         throw Error("image '{}' of {} texels: the device takes at most {} a side", desc.name, Size(desc.extent),
                     limits.maxSideTexels);
-    RequireFits(desc, desc.extent.Texels() * BytesPerTexel(desc.format), limits);
+    if (desc.layers != 1 && (desc.layers != 6 || width != height))
+        throw Error("image '{}' of {} texels with {} layers: 1, or 6 squares of a cube map", desc.name,
+                    Size(desc.extent), desc.layers);
+    if (desc.levels < 1 || desc.levels > MipLevels(desc.extent))
+        throw Error("image '{}' of {} texels with {} levels: it has 1 to {}", desc.name, Size(desc.extent),
+                    desc.levels, MipLevels(desc.extent));
+    RequireFits(desc, Bytes(desc), limits);
 
     vk::ImageCreateInfo info;
     info.imageType = vk::ImageType::e2D;
     info.format = VulkanFormat(desc.format);
     info.extent = vk::Extent3D(width, height, 1);
-    info.mipLevels = info.arrayLayers = 1;
+    info.mipLevels = desc.levels;
+    info.arrayLayers = desc.layers;
+    if (desc.layers == 6) info.flags = vk::ImageCreateFlagBits::eCubeCompatible;
     info.usage = Usage(*i.device, desc.format);
     i.ownImage = vk::raii::Image(i.device->device, info);
     i.image = *i.ownImage;
@@ -73,11 +99,9 @@ Image::Image(Device& device, const ImageDesc& desc) : m_impl(new Impl) {
 
     vk::ImageViewCreateInfo viewInfo;
     viewInfo.image = i.image;
-    viewInfo.viewType = vk::ImageViewType::e2D;
+    viewInfo.viewType = desc.layers == 6 ? vk::ImageViewType::eCube : vk::ImageViewType::e2D;
     viewInfo.format = info.format;
-    const auto aspect =
-        desc.format == Format::Depth32F ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;
-    viewInfo.subresourceRange = vk::ImageSubresourceRange(aspect, 0, 1, 0, 1);
+    viewInfo.subresourceRange = vk::ImageSubresourceRange(AspectOf(desc.format), 0, desc.levels, 0, desc.layers);
     i.ownView = vk::raii::ImageView(i.device->device, viewInfo);
     i.view = *i.ownView;
 

@@ -1,4 +1,4 @@
-// A 2D image on the device.
+// A 2D image on the device, or a cube map.
 #pragma once
 
 #include <memory>
@@ -12,8 +12,15 @@ namespace boxcar {
 struct ImageDesc {
     Extent2D extent;
     Format format = Format::RGBA32F;
-    std::string name;  // for debuggers and messages
+    std::string name;     // for debuggers and messages
+    uint32_t layers = 1;  // 6: a cube map, faces +x -x +y -y +z -z; its sides are equal
+    uint32_t levels = 1;  // mip levels, each half as large as the one before (rounded down, at least 1)
 };
+
+// Levels down to 1 x 1.
+uint32_t MipLevels(Extent2D extent);
+
+Extent2D LevelExtent(Extent2D extent, uint32_t level);
 
 // What an image is used for next. A CommandList puts in the barrier that the change needs.
 enum class ImageUse { ShaderRead, StorageReadWrite, ColorTarget, DepthTarget, TransferSource, TransferTarget };
@@ -28,12 +35,14 @@ struct WrappedImage {
     VkAccessFlags2 lastAccess = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT;
 };
 
-// Can be sampled, rendered to and copied from and to as far as the device can do so with its format. Move-only.
-// Remembers its last use in the order of recording: record command lists in the order in which they are submitted.
+// Can be sampled, rendered to and copied from and to as far as the device can do so with its format; one with layers
+// or levels can only be sampled and copied to, part by part (CommandList::Copy). Move-only. Remembers its last use in
+// the order of recording: record command lists in the order in which they are submitted.
 class Image {
 public:
     // Throws Error: a side is 0 or over the device's limit; the memory is more than the device gives to one image, or
-    // than it has left. The message names the size that was asked for and the limit.
+    // than it has left; layers or levels that such an image cannot have. The message names the size that was asked
+    // for and the limit.
     Image(Device& device, const ImageDesc& desc);
 
     Image(Device& device, const ImageDesc& desc, const WrappedImage& wrapped);

@@ -48,8 +48,9 @@ public:
         if (resource.kind == ResourceKind::Sampler) {
             const vk::raii::Sampler* sampler = m_pipeline.device->FindSampler(resource.name);
             if (!sampler)
-                throw Error("shader {}: sampler '{}' is none of {{nearest|linear}}{{Border|Clamp|Repeat|Mirror}}",
-                            stage.shader.name, resource.name);
+                throw Error(
+                    "shader {}: sampler '{}' is none of {{nearest|linear|anisotropic}}{{Border|Clamp|Repeat|Mirror}}",
+                    stage.shader.name, resource.name);
             binding.pImmutableSamplers = &static_cast<const vk::Sampler&>(**sampler);
             binding.descriptorCount = 1;
         } else {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include "runtime/vulkan.h"
@@ -5,8 +6,16 @@
 namespace boxcar {
 namespace {
 
-constexpr std::array kFilters = {std::pair{"nearest", vk::Filter::eNearest},
-                                 std::pair{"linear", vk::Filter::eLinear}};
+struct FilterRow {
+    const char* name;
+    vk::Filter filter;
+    vk::SamplerMipmapMode mips;
+    float maxAnisotropy;
+};
+
+constexpr FilterRow kFilters[] = {{"nearest", vk::Filter::eNearest, vk::SamplerMipmapMode::eNearest, 1},
+                                  {"linear", vk::Filter::eLinear, vk::SamplerMipmapMode::eLinear, 1},
+                                  {"anisotropic", vk::Filter::eLinear, vk::SamplerMipmapMode::eLinear, 16}};
 constexpr std::array kAddressModes = {std::pair{"Border", vk::SamplerAddressMode::eClampToBorder},
                                       std::pair{"Clamp", vk::SamplerAddressMode::eClampToEdge},
                                       std::pair{"Repeat", vk::SamplerAddressMode::eRepeat},
@@ -16,12 +25,14 @@ constexpr std::array kAddressModes = {std::pair{"Border", vk::SamplerAddressMode
 
 const vk::raii::Sampler* Device::Impl::FindSampler(std::string_view name) {
     if (const auto found = samplers.find(name); found != samplers.end()) return &found->second;
-    for (const auto& [filterName, filter] : kFilters) {
+    for (const FilterRow& row : kFilters) {
         for (const auto& [modeName, mode] : kAddressModes) {
-            if (name != std::string(filterName) + modeName) continue;
+            if (name != std::string(row.name) + modeName) continue;
             vk::SamplerCreateInfo sampler;
-            sampler.magFilter = sampler.minFilter = filter;
-            sampler.mipmapMode = vk::SamplerMipmapMode::eNearest;
+            sampler.magFilter = sampler.minFilter = row.filter;
+            sampler.mipmapMode = row.mips;
+            sampler.maxAnisotropy = std::min(row.maxAnisotropy, maxAnisotropy);
+            sampler.anisotropyEnable = sampler.maxAnisotropy > 1;
             sampler.addressModeU = sampler.addressModeV = sampler.addressModeW = mode;
             sampler.borderColor = vk::BorderColor::eFloatTransparentBlack;
             sampler.maxLod = VK_LOD_CLAMP_NONE;

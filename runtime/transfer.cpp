@@ -15,6 +15,7 @@ constexpr uint64_t kStagingBytes = 64 << 20;
 template <typename Copy>
 void ForEachBand(Device& device, const Image& image, uint64_t texelBytes, Copy copy) {
     const auto [width, height] = image.Extent();
+    BOXCAR_ASSERT(image.Desc().layers == 1 && image.Desc().levels == 1);
     const uint64_t rowBytes = uint64_t{width} * BytesPerTexel(image.Desc().format);
     BOXCAR_ASSERT(texelBytes == rowBytes * height);
     const uint32_t rowsPerBand = static_cast<uint32_t>(std::clamp<uint64_t>(kStagingBytes / rowBytes, 1, height));
@@ -24,10 +25,8 @@ void ForEachBand(Device& device, const Image& image, uint64_t texelBytes, Copy c
                          Property::eHostVisible | Property::eHostCoherent, "boxcar staging");
     for (uint32_t row = 0; row < height; row += rowsPerBand) {
         const uint32_t rows = std::min(rowsPerBand, height - row);
-        const auto aspect = image.Desc().format == Format::Depth32F ? vk::ImageAspectFlagBits::eDepth
-                                                                    : vk::ImageAspectFlagBits::eColor;
-        const vk::BufferImageCopy region(0, 0, 0, {aspect, 0, 0, 1}, {0, static_cast<int32_t>(row), 0},
-                                         {width, rows, 1});
+        const vk::BufferImageCopy region(0, 0, 0, {AspectOf(image.Desc().format), 0, 0, 1},
+                                         {0, static_cast<int32_t>(row), 0}, {width, rows, 1});
         copy(staging, region, row * rowBytes, rows * rowBytes);
     }
 }

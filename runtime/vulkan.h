@@ -27,6 +27,7 @@ struct Device::Impl {
     vk::raii::Queue queue = nullptr;
     uint32_t queueFamily = 0;
     bool hasDebugNames = false;
+    float maxAnisotropy = 1;  // of samplers; 1 where the device was made without
 
     DeviceInfo info;
     DeviceLimits limits;
@@ -144,5 +145,9 @@ struct CommandList::Impl {
 };
 
 vk::Format VulkanFormat(Format format);
+
+inline vk::ImageAspectFlagBits AspectOf(Format format) {
+    return format == Format::Depth32F ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;
+}
 
 }  // namespace boxcar

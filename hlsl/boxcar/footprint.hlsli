@@ -31,4 +31,20 @@ float FootprintLens(float disparity, float focusDisparity, float apertureTexels)
     return max(1.0, apertureTexels * abs(disparity - focusDisparity));
 }
 
+// FootprintCone: width of the cone that a glossy mirror spreads a ray into, as the picture of what it hits shows it.
+//
+//   rayDistance  from the mirror to what the ray hits
+//   eyeDistance  from the eye to the mirror, in the same unit
+//   coneTexels   width of a cone that is as wide as the ray is long, seen from the mirror itself
+//   returns      1 at least
+//
+// The mirror image lies rayDistance behind the mirror, and is seen from eyeDistance + rayDistance away: sharp where
+// things touch the mirror, and never wider than the cone itself.
+//
+// Cost: 4 operations. Hensley 2005, sect. 5.2
+float FootprintCone(float rayDistance, float eyeDistance, float coneTexels)
+{
+    return max(1.0, coneTexels * rayDistance / (rayDistance + eyeDistance));
+}
+
 #endif

@@ -102,6 +102,16 @@ float4 SATWideToFloat(SATWide a, int words, bool isSigned)
     return (1.0 - 2.0 * float4(negative)) * (4294967296.0 * float4(magnitude.high) + float4(magnitude.low));
 }
 
+// SATWideFromFloat: the nearest whole number; 0 <= value < 2^64. With one word: below 2^32.
+//
+// Error: none beyond rounding: floats over 2^24 are whole numbers already.
+SATWide SATWideFromFloat(float4 value)
+{
+    float4 whole = floor(value + 0.5);
+    float4 high = floor(whole / 4294967296.0);
+    return SATWideOf(uint4(whole - high * 4294967296.0), uint4(high));
+}
+
 // SATLoadEntry: a table's entry; 0 left of and above the image. 'texel' is clamped to it on the right and below.
 SATWide SATLoadEntry(SATExactTable table, int2 extentTexels, int2 texel)
 {

@@ -23,6 +23,13 @@ struct MeanConstants
     float divisor;      // 1, and the number of texels of the picture for the last level
 };
 
+// sat_encode.ps: light as whole numbers.
+struct SATEncodeConstants
+{
+    float scale;    // what 1 is in codes
+    float largest;  // code; brighter light becomes this
+};
+
 // sat_extend.ps: a picture with what surrounds it.
 struct SATExtendConstants
 {

@@ -1,6 +1,6 @@
-// boxcar: filters pictures with summed-area tables on a Vulkan device, headless.
+// boxcar: filters pictures and draws the papers' effects with summed-area tables on a Vulkan device, headless.
 //
-//   boxcar filter | dof | sat | precision | gallery | devices
+//   boxcar filter | dof | sat | precision | render | sweep | inspect | list | gallery | devices
 //
 // Exit codes: 0; 1 the work failed, in one line; 2 the command line is wrong, in one line.
 #include <fmt/format.h>
@@ -11,6 +11,7 @@
 #include "samples/cli/gallery.h"
 #include "samples/cli/options.h"
 #include "samples/cli/precision/precision.h"
+#include "samples/cli/render.h"
 
 namespace {
 
@@ -22,7 +23,7 @@ int Fail(int exitCode, std::string_view text) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app("Filters pictures with summed-area tables on a Vulkan device.", "boxcar");
+    CLI::App app("Filters pictures and draws effects with summed-area tables on a Vulkan device.", "boxcar");
     app.set_version_flag("--version", "boxcar " BOXCAR_VERSION);
     app.require_subcommand(1);
     app.footer("Example:\n  boxcar filter photo.jpg -o blurred.png --width 9\n\nboxcar COMMAND --help says more.");
@@ -31,6 +32,10 @@ int main(int argc, char** argv) {
     boxcar::AddSatCommand(app);
     boxcar::AddPrecisionCommand(app);
     boxcar::AddGalleryCommand(app);
+    boxcar::AddRenderCommand(app);
+    boxcar::AddSweepCommand(app);
+    boxcar::AddInspectCommand(app);
+    boxcar::AddListCommand(app);
     boxcar::AddDevicesCommand(app);
     try {
         app.parse(argc, argv);

@@ -213,13 +213,16 @@ MeshData ReadMesh(const std::string& path, const MeshLimits& limits) {
         if (start.empty()) throw Error("{}: the file is empty; an OBJ mesh is expected", InputName(path));
         if (std::ranges::count(start, 0) > 0) throw Error("{}: no text; an OBJ mesh is expected", InputName(path));
     };
-    const Bytes file = ReadBytes(path, limits.maxBytes, checkStart);
+    return DecodeMesh(ReadBytes(path, limits.maxBytes, checkStart), InputName(path), limits);
+}
+
+MeshData DecodeMesh(std::span<const uint8_t> file, const std::string& name, const MeshLimits& limits) {
     try {
         const std::string text = Checker(limits).Checked({reinterpret_cast<const char*>(file.data()), file.size()});
         const tinyobj::ObjReader reader = Parse(text);
         return Merge(reader.GetAttrib(), Triangles(reader.GetShapes()[0].mesh), limits);
     } catch (const Error& error) {
-        throw Error("{}: {}", InputName(path), error.what());
+        throw Error("{}: {}", name, error.what());
     }
 }
 

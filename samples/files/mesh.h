@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,5 +37,8 @@ struct MeshLimits {
 // Throws Error, one line that begins with the path and names the line in the file: it cannot be read, has no face, is
 // cut off or damaged, a number is not finite, an index is out of range, or it is over a limit.
 MeshData ReadMesh(const std::string& path, const MeshLimits& limits = {});
+
+// The same from memory; `name` stands for the path in errors.
+MeshData DecodeMesh(std::span<const uint8_t> file, const std::string& name, const MeshLimits& limits = {});
 
 }  // namespace boxcar

@@ -1,0 +1,17 @@
+// scene.vs: places a mesh in the world.
+#include "shaders/scene_io.hlsli"
+
+float3 Turned(float3 v)
+{
+    return float3(g.turn.x * v.x + g.turn.y * v.z, v.y, g.turn.x * v.z - g.turn.y * v.x);
+}
+
+SceneVertex main(float3 position : POSITION, float3 normal : NORMAL, float2 uv : TEXCOORD0)
+{
+    SceneVertex o;
+    o.positionWorld = g.offsetWorld + g.scale * Turned(position);
+    o.position = mul(g.clipFromWorld, float4(o.positionWorld, 1.0));
+    o.normalWorld = Turned(normal);
+    o.uv = uv;
+    return o;
+}

@@ -1,0 +1,118 @@
+#include "samples/cli/effect_run.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "samples/cli/device_run.h"
+#include "samples/cli/light.h"
+
+namespace boxcar {
+namespace {
+
+constexpr uint32_t kMaxSideTexels = 8192;
+
+Extent2D ParseExtent(const std::string& text) {
+    Extent2D extent;
+    const char* const end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, extent.widthTexels);
+    bool isRight = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
+    if (isRight) {
+        const auto height = std::from_chars(width.ptr + 1, end, extent.heightTexels);
+        isRight = height.ec == std::errc() && height.ptr == end;
+    }
+    const auto fits = [](uint32_t side) { return side >= 1 && side <= kMaxSideTexels; };
+    if (!isRight || !fits(extent.widthTexels) || !fits(extent.heightTexels))
+        throw UsageError("--size {}: expected WxH, two whole numbers from 1 to {}", text, kMaxSideTexels);
+    return extent;
+}
+
+Environment ReadEnvironment(const std::string& name) {
+    if (name == "city" || name == "studio" || name == "venice") return SampleEnvironment(name);
+    return EnvironmentFrom(ReadPicture(name), name);
+}
+
+EffectInputs InputsOf(const EffectInfo& info, const EffectOptions& options) {
+    EffectInputs inputs{.extent = ParseExtent(options.extent)};
+    if (!options.environment.empty() && !info.takesEnvironment)
+        throw UsageError("--env {}: {} has no use for it", options.environment, info.name);
+    if (!options.mesh.empty() && !info.takesMesh)
+        throw UsageError("--mesh {}: {} has no use for it", options.mesh, info.name);
+    if (info.takesEnvironment)
+        inputs.environment = ReadEnvironment(options.environment.empty() ? "venice" : options.environment);
+    if (info.takesMesh) {
+        const std::string name = options.mesh.empty() ? "bunny" : options.mesh;
+        inputs.mesh = name == "bunny" || name == "teapot" ? SampleMesh(name) : ReadMesh(name);
+    }
+    return inputs;
+}
+
+ParameterValues ValuesOf(const EffectInfo& info, const std::vector<Setting>& settings) {
+    ParameterValues values(info.parameters);
+    for (const Setting& setting : settings)
+        values.Set(setting.name, setting.value);
+    return values;
+}
+
+float Shown(float light) {
+    constexpr float kKnee = 0.7f, kRest = 1 - kKnee;
+    return light < kKnee ? light : kKnee + kRest * (1 - std::exp(-(light - kKnee) / kRest));
+}
+
+}  // namespace
+
+void AddEffectOptions(CLI::App& command, EffectOptions& options) {
+    command.add_option("EFFECT", options.effect, "Name of an effect (boxcar list)")->required();
+    command.add_option("--size", options.extent, "Width and height in texels (default 640x360)")->type_name("WxH");
+    command.add_option("--time", options.timeSeconds, "Time of the scene, seconds (default 0)")->type_name("S");
+    command.add_option("--set", options.sets, "Sets a parameter; may come several times")
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false);
+    command
+        .add_option("--env", options.environment,
+                    "Light from all around: an equirectangular picture, or city, studio, venice (default)")
+        ->type_name("F");
+    command.add_option("--mesh", options.mesh, "Object: an OBJ file, or bunny (default), teapot")->type_name("F");
+    AddDeviceOptions(command, options.device);
+}
+
+Setting ParseSetting(const std::string& text) {
+    const size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0) throw UsageError("--set {}: expected NAME=VALUE", text);
+    return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+std::vector<Setting> SettingsOf(const EffectOptions& options) {
+    std::vector<Setting> settings;
+    for (const std::string& set : options.sets)
+        settings.push_back(ParseSetting(set));
+    return settings;
+}
+
+EffectRun::EffectRun(Device& device, const EffectOptions& options, const std::vector<Setting>& settings)
+    : m_device(device),
+      m_info(FindEffect(options.effect)),
+      m_inputs(InputsOf(m_info, options)),
+      m_values(ValuesOf(m_info, settings)),
+      m_effect(m_info.make(device, m_inputs, m_values)) {
+    if (!std::isfinite(options.timeSeconds)) throw UsageError("--time {}: expected seconds", options.timeSeconds);
+}
+
+std::vector<glm::vec4> EffectRun::Render(double timeSeconds, std::vector<PassTime>* passes) {
+    CommandList commands(m_device, passes ? CommandList::Timing::On : CommandList::Timing::Off);
+    const Image& picture = m_effect->Record(commands, {timeSeconds, m_values});
+    commands.SubmitAndWait();
+    if (passes) *passes = commands.PassTimes();
+    std::vector<glm::vec4> texels = Download<glm::vec4>(m_device, picture);
+    RequireFiniteSums(texels, std::string(m_info.name));
+    return texels;
+}
+
+Picture ShownPicture(std::vector<glm::vec4> texels, Extent2D extent, const EffectInfo& info, SampleType sampleType) {
+    if (info.isHighRange && sampleType != SampleType::Float32)
+        for (glm::vec4& texel : texels)
+            texel = {Shown(texel.x), Shown(texel.y), Shown(texel.z), texel.w};
+    const Picture like{extent.widthTexels, extent.heightTexels, 3, SampleType::Float32, {}};
+    return FromLight(texels, like, Transfer::Srgb, sampleType);
+}
+
+}  // namespace boxcar

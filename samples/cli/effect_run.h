@@ -1,0 +1,63 @@
+// An effect, made and run as a command line asks for it: what render, sweep and inspect have in common.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <glm/vec4.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "samples/cli/options.h"
+#include "samples/effects/effect.h"
+
+namespace boxcar {
+
+struct EffectOptions {
+    std::string effect;
+    std::string extent = "640x360";
+    double timeSeconds = 0;
+    std::vector<std::string> sets;  // NAME=VALUE
+    std::string environment;        // a file, or one of ours
+    std::string mesh;
+    DeviceOptions device;
+};
+
+void AddEffectOptions(CLI::App& command, EffectOptions& options);
+
+// NAME=VALUE apart. Throws UsageError.
+struct Setting {
+    std::string name;
+    std::string value;
+};
+Setting ParseSetting(const std::string& text);
+
+// Everything that a frame needs, ready to draw.
+class EffectRun {
+public:
+    // Throws UsageError: no such effect; a size, a parameter or a flag that it does not take. Throws Error: a mesh or
+    // an environment that cannot be read; what the device cannot do.
+    EffectRun(Device& device, const EffectOptions& options, const std::vector<Setting>& settings);
+
+    // The picture, linear light. `passes`: how long they took, if asked for.
+    std::vector<glm::vec4> Render(double timeSeconds, std::vector<PassTime>* passes = nullptr);
+
+    const EffectInfo& Info() const { return m_info; }
+    Extent2D Extent() const { return m_inputs.extent; }
+    const std::vector<EffectStage>& Stages() const { return m_effect->Stages(); }
+
+private:
+    Device& m_device;
+    const EffectInfo& m_info;
+    EffectInputs m_inputs;
+    ParameterValues m_values;
+    std::unique_ptr<Effect> m_effect;
+};
+
+// The settings of a command line. Throws UsageError.
+std::vector<Setting> SettingsOf(const EffectOptions& options);
+
+// A picture of light for a file of integers: what goes beyond 0.7 is bent so that it stays below 1, where `info` says
+// that there is such light; then sRGB.
+Picture ShownPicture(std::vector<glm::vec4> texels, Extent2D extent, const EffectInfo& info, SampleType sampleType);
+
+}  // namespace boxcar
