@@ -78,6 +78,8 @@ const Image& Effect::AddStage(std::string name, const Image& image) {
 
 std::span<const EffectInfo> Effects() {
     static const EffectInfo kEffects[] = {
+        GlossyEnvironmentInfo(),
+        PhongEnvironmentInfo(),
         PlanarReflectionInfo(),
     };
     return kEffects;

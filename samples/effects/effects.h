@@ -5,6 +5,8 @@
 
 namespace boxcar {
 
+EffectInfo GlossyEnvironmentInfo();
+EffectInfo PhongEnvironmentInfo();
 EffectInfo PlanarReflectionInfo();
 
 }  // namespace boxcar

@@ -19,12 +19,6 @@ constexpr float kBrightest = 2;         // of the reflected light, which is code
 constexpr float kLargestRoughness = 1;  // of the parameter
 constexpr glm::vec3 kSky{0.52f, 0.62f, 0.75f};
 
-PipelineDesc SceneShaders(const std::string& pixel) {
-    return {.vertex = passes_shaders::Find("shaders/scene.vs"),
-            .pixel = passes_shaders::Find("shaders/" + pixel),
-            .testsDepth = true};
-}
-
 class PlanarReflection : public Effect {
 public:
     PlanarReflection(Device& device, const EffectInputs& inputs, const ParameterValues&)

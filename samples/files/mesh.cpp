@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <string_view>
+#include <map>
 #include <unordered_map>
 
 #include "samples/files/bytes.h"
@@ -159,17 +160,30 @@ glm::dvec3 Vector(const std::vector<float>& values, int index) {
     return {v[0], v[1], v[2]};
 }
 
+// The first index of each position: files made of patches hold those of their borders twice.
+std::vector<size_t> FirstOfEqual(const std::vector<float>& positions) {
+    std::map<std::array<float, 3>, size_t> first;
+    std::vector<size_t> indices;
+    for (size_t i = 0; i < positions.size() / 3; i++)
+        indices.push_back(
+            first.try_emplace({positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]}, i).first->second);
+    return indices;
+}
+
 // Of each position: the sum of the areas of the triangles round it, as vectors. In double, where no square of a float
 // overflows.
 std::vector<glm::dvec3> SmoothNormals(const std::vector<float>& positions, const std::vector<Corner>& corners) {
-    std::vector<glm::dvec3> normals(positions.size() / 3, glm::dvec3(0));
+    const std::vector<size_t> firstOf = FirstOfEqual(positions);
+    std::vector<glm::dvec3> normals(firstOf.size(), glm::dvec3(0));
     for (size_t i = 0; i < corners.size(); i += 3) {
         const glm::dvec3 a = Vector(positions, corners[i].vertex_index);
         const glm::dvec3 area = glm::cross(Vector(positions, corners[i + 1].vertex_index) - a,
                                            Vector(positions, corners[i + 2].vertex_index) - a);
         for (size_t k = i; k < i + 3; k++)
-            normals[static_cast<size_t>(corners[k].vertex_index)] += area;
+            normals[firstOf[static_cast<size_t>(corners[k].vertex_index)]] += area;
     }
+    for (size_t i = 0; i < normals.size(); i++)
+        normals[i] = normals[firstOf[i]];
     return normals;
 }
 

@@ -24,9 +24,8 @@ Environment EnvironmentFrom(Picture picture, const std::string& name) {
         glm::vec4 texel(1);
         for (uint32_t c = 0; c < 3; c++) {
             const float value = picture.samples[i + std::min(c, colours - 1)];
-            if (!(value >= 0) || std::isinf(value))
-                throw Error("{}: {:g} in it; an environment holds light, 0 or more", name, value);
-            texel[static_cast<int>(c)] = value;
+            if (!std::isfinite(value)) throw Error("{}: {} in it; light is finite", name, value);
+            texel[static_cast<int>(c)] = std::max(value, 0.0f);
         }
         environment.texels.push_back(texel);
     }

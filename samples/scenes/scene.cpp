@@ -3,7 +3,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
-#include "samples/files/mesh.h"
+#include "passes_shaders.h"
 
 namespace boxcar {
 
@@ -13,6 +13,12 @@ SceneConstants ConstantsOf(const SceneObject& object, const glm::mat4& clipFromW
             object.checkWorld, object.optionA,
             object.albedo,     object.optionB,
             eyeWorld,          object.optionC};
+}
+
+PipelineDesc SceneShaders(const std::string& pixel) {
+    return {.vertex = passes_shaders::Find("shaders/scene.vs"),
+            .pixel = passes_shaders::Find("shaders/" + pixel),
+            .testsDepth = true};
 }
 
 void DrawObjects(CommandList& commands, Pass first, std::span<const SceneObject> objects,

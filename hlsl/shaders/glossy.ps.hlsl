@@ -1,0 +1,34 @@
+// glossy.ps: an object that reflects its surroundings, blurred by a lobe of any width. LOBE is BOX, STACK, ORDER2 or ORDER3.
+// Hensley 2005, sect. 5.1 (Figs 5 to 7)
+#include "boxcar/dual_paraboloid_sat.hlsli"
+#include "shaders/reflection.hlsli"
+
+#define BOX 1
+#define STACK 4
+#define ORDER2 5
+#define ORDER3 6
+
+Texture2D<uint4> frontLow : register(t0);
+Texture2D<uint4> frontHigh : register(t1);
+Texture2D<uint4> backLow : register(t2);
+Texture2D<uint4> backHigh : register(t3);
+
+// g.optionB: the tables' code scale; g.optionC: their largest width.
+float4 main(SceneVertex i) : SV_Target0
+{
+    DPTables tables = DPTablesOf(frontLow, frontHigh, backLow, backHigh, int(g.optionC), g.optionB);
+    float3 dir = ReflectedDirection(i);
+    // The Gaussian that a box of the width stands for; the other lobes are of the same sigma.
+    float widthTexels = ReflectionWidth(i);
+    float sigmaTexels = widthTexels / 3.274;
+#if LOBE == BOX
+    float4 light = DPSampleSAT(tables, dir, widthTexels);
+#elif LOBE == STACK
+    float4 light = DPSampleSATStack(tables, dir, sigmaTexels, 4);
+#elif LOBE == ORDER2
+    float4 light = DPSampleSATOrder(tables, 2, dir, 2.316 * sigmaTexels);
+#else
+    float4 light = DPSampleSATOrder(tables, 3, dir, 1.923 * sigmaTexels);
+#endif
+    return float4(light.rgb * g.albedo, 1.0);
+}

@@ -1,0 +1,262 @@
+// An object that reflects its surroundings, blurred by a lobe whose width may differ at every pixel.
+//
+//   surroundings  ->  cube map  ->  dual paraboloid  ->  tables of both faces  ->  object: cones round the
+//   reflections
+//
+// Hensley 2005, sect. 5.1 (Figs 5, 6); Scheuermann 2005
+#include <cmath>
+
+#include "passes_shaders.h"
+#include "runtime/passes/dual_paraboloid.h"
+#include "runtime/transfer.h"
+#include "samples/effects/effects.h"
+#include "samples/scenes/shapes.h"
+#include "samples/scenes/surroundings.h"
+
+namespace boxcar {
+namespace {
+
+constexpr float kBrightestObject = 2;
+constexpr float kLargestWidth = 128;
+
+PipelineDesc ReflectionShaders(std::string_view lobe) {
+    const std::string pixel = lobe == "papers"      ? "glossy_papers.ps"
+                              : lobe == "box"       ? "glossy.ps.LOBE=BOX"
+                              : lobe == "stack"     ? "glossy.ps.LOBE=STACK"
+                              : lobe == "tent"      ? "glossy.ps.LOBE=ORDER2"
+                              : lobe == "parabolic" ? "glossy.ps.LOBE=ORDER3"
+                                                    : "phong.ps";
+    return SceneShaders(pixel);
+}
+
+// Red: 1, or waves between a mirror and the full width.
+Image GlossTexture(Device& device, bool isUniform) {
+    const uint32_t side = isUniform ? 1 : 64;
+    Image image(device, {{side, side}, Format::RGBA32F, "gloss"});
+    std::vector<glm::vec4> texels;
+    for (uint32_t y = 0; y < side; y++)
+        for (uint32_t x = 0; x < side; x++) {
+            const float wave =
+                std::sin(2 * 3.14159265f * static_cast<float>(3 * x + 2 * y) / static_cast<float>(side));
+            texels.emplace_back(isUniform ? 1.0f : 1 / (1 + std::exp(-8 * wave)), 0, 0, 0);
+        }
+    WriteTexels(device, image, std::as_bytes(std::span(texels)));
+    return image;
+}
+
+// What the faces' tables are like for a lobe.
+DualParaboloidTablesDesc TablesFor(std::string_view lobe, uint32_t side, float largestLight) {
+    const uint32_t order = lobe == "tent" ? 2 : lobe == "parabolic" ? 3 : 1;
+    return {.sideTexels = side,
+            .order = order,
+            .largestLight = std::max(largestLight, kBrightestObject),
+            .largestTexels = order == 3 ? 101 : std::min(side, 1024u)};
+}
+
+// The papers' tables: floats, what is outside of the disc 0.
+struct FloatTables {
+    FloatTables(Device& device, uint32_t side)
+        : mask(device, {passes_shaders::Find("shaders/quad.vs"), passes_shaders::Find("shaders/dp_mask.ps")}),
+          masked(device, {{side, side}, Format::RGBA32F, "masked face"}),
+          front(device, {.extent = {side, side}}),
+          back(device, {.extent = {side, side}}) {}
+
+    const Image& Record(CommandList& commands, SummedAreaTable& table, const Image& face) {
+        commands.Draw({.name = "mask", .pipeline = mask, .reads = {{"face", &face}}, .writes = {&masked}});
+        return *table.Record(commands, masked).low;
+    }
+
+    Pipeline mask;
+    Image masked;
+    SummedAreaTable front, back;
+};
+
+// What a frame shows.
+struct ReflectionFrame {
+    float widthTexels = 0;  // optionA of the shaders
+    glm::vec3 albedo{1};    // or what phong.ps makes of it
+    bool hasMovingObjects = false;
+    bool hasGlossTexture = false;
+};
+
+// The chain of both effects, which differ in the object's pixel shader.
+class EnvironmentReflection : public Effect {
+protected:
+    EnvironmentReflection(Device& device, const EffectInputs& inputs, uint32_t side, std::string_view lobe,
+                          DPMapping mapping)
+        : m_surroundings(device, inputs.environment, side),
+          m_paraboloid(device, side, mapping),
+          m_reflecting(device, ReflectionShaders(lobe)),
+          m_matt(device, SceneShaders("scene.ps")),
+          m_object(UploadMesh(device, StandingMesh(inputs.mesh), "object")),
+          m_sphere(UploadMesh(device, Sphere(1, 48, 24), "sphere")),
+          m_uniform(GlossTexture(device, true)),
+          m_waves(GlossTexture(device, false)),
+          m_picture(device, {inputs.extent, Format::RGBA32F, "picture"}),
+          m_depth(device, {inputs.extent, Format::Depth32F, "depth"}) {
+        if (lobe == "papers")
+            m_floats.emplace(device, side);
+        else
+            m_tables.emplace(device, TablesFor(lobe, side, m_surroundings.LargestLight()));
+    }
+
+private:
+    virtual ReflectionFrame Chosen(const ParameterValues& values) const = 0;
+
+    const Image& Draw(CommandList& commands, const Frame& frame) override {
+        const ReflectionFrame chosen = Chosen(frame.values);
+        const auto time = static_cast<float>(frame.timeSeconds);
+        const std::vector<SceneObject> around =
+            chosen.hasMovingObjects ? MovingObjects(time) : std::vector<SceneObject>();
+        const DualParaboloidFaces faces = m_paraboloid.Record(commands, m_surroundings.Record(commands, around));
+        AddStage("front", *faces.front);
+        AddStage("back", *faces.back);
+
+        const float angle = 0.3f * time + 4.1f;
+        const Camera camera{.eyeWorld = 2.4f * glm::vec3(std::sin(angle), 0.2f, std::cos(angle)),
+                            .targetWorld = {0, 0, 0},
+                            .verticalAngleRadians = 0.62f};
+        const glm::mat4 clip = ClipFromWorld(camera, m_picture.Extent());
+        SceneObject object{
+            .mesh = &m_object, .offsetWorld = {0, -0.5f, 0}, .albedo = chosen.albedo, .optionA = chosen.widthTexels};
+        Pass pass{.name = "object",
+                  .pipeline = m_reflecting,
+                  .reads = ReadTables(commands, faces, object),
+                  .writes = {&m_picture},
+                  .depth = &m_depth,
+                  .clearsDepth = true};
+        pass.reads.push_back({"gloss", chosen.hasGlossTexture ? &m_waves : &m_uniform});
+        m_surroundings.DrawBackdrop(commands, camera, m_picture);
+        DrawObjects(commands, pass, std::span(&object, 1), clip, camera.eyeWorld);
+        DrawObjects(commands, {.name = "around", .pipeline = m_matt, .writes = {&m_picture}, .depth = &m_depth},
+                    around, clip, camera.eyeWorld);
+        return m_picture;
+    }
+
+    std::vector<SceneObject> MovingObjects(float time) const {
+        constexpr glm::vec3 kColours[] = {
+            {0.9f, 0.15f, 0.1f}, {0.15f, 0.6f, 0.2f}, {0.1f, 0.25f, 0.9f}, {0.9f, 0.6f, 0.1f}};
+        std::vector<SceneObject> objects;
+        for (const glm::vec3 colour : kColours) {
+            const float angle = 0.8f * time + 1.5708f * static_cast<float>(objects.size());
+            objects.push_back(
+                {.mesh = &m_sphere,
+                 .offsetWorld = {1.3f * std::sin(angle), 0.35f * std::sin(2 * angle), 1.3f * std::cos(angle)},
+                 .scale = 0.25f,
+                 .albedo = colour});
+        }
+        return objects;
+    }
+
+    // Builds the tables; their scale goes into the object's options.
+    std::vector<Read> ReadTables(CommandList& commands, const DualParaboloidFaces& faces, SceneObject& object) {
+        if (m_floats)
+            return {{"frontTable", &m_floats->Record(commands, m_floats->front, *faces.front)},
+                    {"backTable", &m_floats->Record(commands, m_floats->back, *faces.back)}};
+        const DualParaboloidWords tables = m_tables->Record(commands, faces);
+        AddStage("front table", *tables.front.low);
+        AddStage("back table", *tables.back.low);
+        object.optionB = m_tables->CodeScale();
+        object.optionC = static_cast<float>(m_tables->Desc().largestTexels);
+        return {{"frontLow", tables.front.low},
+                {"frontHigh", tables.front.high},
+                {"backLow", tables.back.low},
+                {"backHigh", tables.back.high}};
+    }
+
+    Surroundings m_surroundings;
+    DualParaboloid m_paraboloid;
+    std::optional<DualParaboloidTables> m_tables;
+    std::optional<FloatTables> m_floats;
+    Pipeline m_reflecting, m_matt;
+    Mesh m_object, m_sphere;
+    Image m_uniform, m_waves, m_picture, m_depth;
+};
+
+class GlossyEnvironment : public EnvironmentReflection {
+public:
+    GlossyEnvironment(Device& device, const EffectInputs& inputs, const ParameterValues& values)
+        : EnvironmentReflection(device, inputs, static_cast<uint32_t>(values.Whole("face")), values.Choice("lobe"),
+                                values.Choice("mapping") == "lookup" ? DPMapping::Lookup : DPMapping::Arithmetic) {}
+
+private:
+    ReflectionFrame Chosen(const ParameterValues& values) const override {
+        return {.widthTexels = values["width"],
+                .albedo = {0.95f, 0.93f, 0.88f},
+                .hasMovingObjects = values.Choice("source") == "scene",
+                .hasGlossTexture = values.Choice("gloss") == "texture"};
+    }
+};
+
+class PhongEnvironment : public EnvironmentReflection {
+public:
+    PhongEnvironment(Device& device, const EffectInputs& inputs, const ParameterValues& values)
+        : EnvironmentReflection(device, inputs, static_cast<uint32_t>(values.Whole("face")), "phong",
+                                DPMapping::Arithmetic) {}
+
+private:
+    ReflectionFrame Chosen(const ParameterValues& values) const override {
+        return {.albedo = {values["exponent"], values["shine"], values["boxes"]}};
+    }
+};
+
+constexpr Parameter kFace{"face", "Side of a face of the paraboloid map", "texels", 16, 1024, 256, {}, true, true};
+
+}  // namespace
+
+EffectInfo GlossyEnvironmentInfo() {
+    return {
+        .name = "glossy-environment",
+        .what = "An object that reflects its surroundings, blurred by a lobe of any width",
+        .paper = "Hensley 2005, sect. 5.1, Figs 5 and 6; Scheuermann 2005",
+        .lookFor = "the reflection stays smooth at every width and over the seam of the two faces",
+        .parameters = {{"width", "Width of the box at a face's middle", "texels", 1, kLargestWidth, 24},
+                       {"lobe",
+                        "Kernel: one box, four boxes, a tent, a parabola, or the papers' box of one size in floats",
+                        "",
+                        0,
+                        0,
+                        1,
+                        {"box", "stack", "tent", "parabolic", "papers"},
+                        false,
+                        true},
+                       {"gloss", "One width everywhere, or from a texture", "", 0, 0, 0, {"uniform", "texture"}},
+                       {"source",
+                        "The environment alone, or with objects that move in it",
+                        "",
+                        0,
+                        0,
+                        0,
+                        {"environment", "scene"}},
+                       {"mapping",
+                        "Directions computed, or from a lookup texture",
+                        "",
+                        0,
+                        0,
+                        0,
+                        {"arithmetic", "lookup"},
+                        false,
+                        true},
+                       kFace},
+        .takesEnvironment = true,
+        .takesMesh = true,
+        .isHighRange = true,
+        .make = MakeEffect<GlossyEnvironment>};
+}
+
+EffectInfo PhongEnvironmentInfo() {
+    return {.name = "phong-environment",
+            .what = "The Phong model under light from all around",
+            .paper = "Hensley 2005, sect. 5.1.2, Fig. 7",
+            .lookFor = "matt light comes from boxes round the normal, the highlight from boxes round the reflection",
+            .parameters = {{"exponent", "Of the highlight's lobe cos^n", "", 1, 1000, 60},
+                           {"shine", "The highlight's share of the light", "", 0, 1, 0.35f},
+                           {"boxes", "In each of the two stacks", "", 1, 6, 2, {}, true},
+                           kFace},
+            .takesEnvironment = true,
+            .takesMesh = true,
+            .isHighRange = true,
+            .make = MakeEffect<PhongEnvironment>};
+}
+
+}  // namespace boxcar
