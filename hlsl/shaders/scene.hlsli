@@ -35,7 +35,15 @@ float SceneChecks(float2 p)
     return u + v - 2.0 * u * v;
 }
 
-// SceneAlbedo: an object's colour at a point: plain, or a board of it and a darker one on the ground plane.
+// SceneWallPoint: a point with its x and z along the wall that it is on, for checks on all walls of a room.
+float3 SceneWallPoint(float3 positionWorld, float3 normalWorld)
+{
+    float3 n = abs(normalWorld);
+    float3 p = positionWorld;
+    return n.y >= max(n.x, n.z) ? p : n.x >= n.z ? p.yxz : p.xzy;
+}
+
+// SceneAlbedo: an object's colour at a point: plain, or a board of it and a darker one along x and z.
 //
 //   checkWorld  side of its squares; 0 for none
 float3 SceneAlbedo(float3 albedo, float checkWorld, float3 positionWorld)

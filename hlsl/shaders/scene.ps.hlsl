@@ -4,6 +4,7 @@
 
 float4 main(SceneVertex i) : SV_Target0
 {
-    float3 albedo = SceneAlbedo(g.albedo, g.checkWorld, i.positionWorld);
-    return float4(albedo * SceneLight(normalize(i.normalWorld), 1.0), 1.0);
+    float3 normal = normalize(i.normalWorld);
+    float3 albedo = SceneAlbedo(g.albedo, g.checkWorld, SceneWallPoint(i.positionWorld, normal));
+    return float4(albedo * SceneLight(normal, 1.0), 1.0);
 }

@@ -1,6 +1,6 @@
 // boxcar: filters pictures and draws the papers' effects with summed-area tables on a Vulkan device, headless.
 //
-//   boxcar filter | dof | sat | precision | render | sweep | inspect | list | gallery | devices
+//   boxcar filter | dof | sat | precision | render | sweep | inspect | list | fit-lobe | gallery | devices
 //
 // Exit codes: 0; 1 the work failed, in one line; 2 the command line is wrong, in one line.
 #include <fmt/format.h>
@@ -36,6 +36,7 @@ int main(int argc, char** argv) {
     boxcar::AddSweepCommand(app);
     boxcar::AddInspectCommand(app);
     boxcar::AddListCommand(app);
+    boxcar::AddFitLobeCommand(app);
     boxcar::AddDevicesCommand(app);
     try {
         app.parse(argc, argv);

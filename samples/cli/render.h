@@ -1,4 +1,4 @@
-// boxcar render, sweep, inspect and list: the effects without a window.
+// boxcar render, sweep, inspect, list and fit-lobe: the effects without a window.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -9,5 +9,6 @@ void AddRenderCommand(CLI::App& app);
 void AddSweepCommand(CLI::App& app);
 void AddInspectCommand(CLI::App& app);
 void AddListCommand(CLI::App& app);
+void AddFitLobeCommand(CLI::App& app);
 
 }  // namespace boxcar

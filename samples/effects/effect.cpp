@@ -78,9 +78,8 @@ const Image& Effect::AddStage(std::string name, const Image& image) {
 
 std::span<const EffectInfo> Effects() {
     static const EffectInfo kEffects[] = {
-        GlossyEnvironmentInfo(),
-        PhongEnvironmentInfo(),
-        PlanarReflectionInfo(),
+        GlossyEnvironmentInfo(), PhongEnvironmentInfo(), ParaboloidDirectInfo(),
+        PlanarReflectionInfo(),  TranslucencyInfo(),
     };
     return kEffects;
 }

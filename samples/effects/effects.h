@@ -7,6 +7,8 @@ namespace boxcar {
 
 EffectInfo GlossyEnvironmentInfo();
 EffectInfo PhongEnvironmentInfo();
+EffectInfo ParaboloidDirectInfo();
 EffectInfo PlanarReflectionInfo();
+EffectInfo TranslucencyInfo();
 
 }  // namespace boxcar

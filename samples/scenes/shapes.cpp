@@ -1,7 +1,10 @@
 #include "samples/scenes/shapes.h"
 
+#include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
+#include <map>
 
 #include "tools/layout/error.h"
 
@@ -14,6 +17,49 @@ MeshData Ground(float sideLength, float uvRepeats) {
             mesh.vertices.push_back(
                 {{(x - 0.5f) * sideLength, 0, (z - 0.5f) * sideLength}, {0, 1, 0}, {x * uvRepeats, z * uvRepeats}});
     mesh.indices = {0, 2, 1, 1, 2, 3};
+    return mesh;
+}
+
+MeshData Room(float sideLength) {
+    MeshData mesh;
+    for (int axis = 0; axis < 3; axis++)
+        for (const float side : {-1.0f, 1.0f}) {
+            glm::vec3 normal(0), across(0);
+            normal[axis] = -side;
+            across[(axis + 1) % 3] = 1;
+            const glm::vec3 up = glm::cross(normal, across);
+            const auto first = static_cast<uint32_t>(mesh.vertices.size());
+            for (const float v : {-0.5f, 0.5f})
+                for (const float u : {-0.5f, 0.5f})
+                    mesh.vertices.push_back(
+                        {sideLength * (u * across + v * up - 0.5f * normal), normal, {u + 0.5f, v + 0.5f}});
+            for (const uint32_t corner : {0u, 1u, 2u, 2u, 1u, 3u})
+                mesh.indices.push_back(first + corner);
+        }
+    return mesh;
+}
+
+MeshData Subdivided(MeshData mesh, uint32_t times) {
+    for (; times > 0; times--) {
+        MeshData finer{mesh.vertices, {}};
+        std::map<std::pair<uint32_t, uint32_t>, uint32_t> middles;
+        const auto middle = [&](uint32_t a, uint32_t b) {
+            const auto [at, isNew] =
+                middles.try_emplace(std::minmax(a, b), static_cast<uint32_t>(finer.vertices.size()));
+            if (isNew) {
+                const Vertex &from = mesh.vertices[a], &to = mesh.vertices[b];
+                finer.vertices.push_back({0.5f * (from.position + to.position),
+                                          glm::normalize(from.normal + to.normal), 0.5f * (from.uv + to.uv)});
+            }
+            return at->second;
+        };
+        for (size_t i = 0; i < mesh.indices.size(); i += 3) {
+            const uint32_t a = mesh.indices[i], b = mesh.indices[i + 1], c = mesh.indices[i + 2];
+            const uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+            finer.indices.insert(finer.indices.end(), {a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca});
+        }
+        mesh = std::move(finer);
+    }
     return mesh;
 }
 

@@ -10,6 +10,12 @@ namespace boxcar {
 // upper left when -z is up, to (uvRepeats, uvRepeats) at (+x, +z).
 MeshData Ground(float sideLength, float uvRepeats);
 
+// A cube round the origin, seen from inside: normals point inwards.
+MeshData Room(float sideLength);
+
+// The same surface in triangles of a quarter of the area, `times` over; what is flat stays flat.
+MeshData Subdivided(MeshData mesh, uint32_t times);
+
 // A sphere round the origin, its poles on the y axis. Seen from outside u goes to the right, once round it from the
 // seam at -z, and v down, from 0 at +y to 1 at -y. All vertices lie on the sphere, so the faces are inside it.
 //

@@ -1,0 +1,38 @@
+// glass.ps: etched glass: what lies behind, blurred the more the thicker the glass is, a little displaced and tinted.
+// Hensley 2005, sect. 5.3 (Fig. 8)
+#include "boxcar/sat_exact.hlsli"
+#include "shaders/scene.hlsli"
+#include "shaders/scene_io.hlsli"
+
+Texture2D<float4> back : register(t0);  // red: distance of the far side
+Texture2D<uint4> table : register(t1);  // of the picture so far
+
+// g.optionA: width in texels that a unit of glass gives, a unit away from the eye; g.optionB: codes of 1; g.optionC: how
+// far the picture is displaced, in the same texels.
+float4 main(SceneVertex i) : SV_Target0
+{
+    SATExactTable words = SATTable32(table);
+    int2 extentTexels;
+    table.GetDimensions(extentTexels.x, extentTexels.y);
+    float3 ray = i.positionWorld - g.eyeWorld;
+    float distanceWorld = length(ray);
+    float3 normal = normalize(i.normalWorld);
+    float thicknessWorld = max(back.Load(int3(TexelFromEdge(i.position.xy), 0)).r - distanceWorld, 0.0);
+
+    // Screen x and y of the normal, without a view matrix: how the position on the screen moves along it.
+    float4 moved = mul(g.clipFromWorld, float4(i.positionWorld + 0.01 * normal, 1.0));
+    float4 here = mul(g.clipFromWorld, float4(i.positionWorld, 1.0));
+    float2 slope = 50.0 * (moved.xy / moved.w - here.xy / here.w) * float2(1.0, -1.0);
+    float2 centre = i.position.xy - slope * g.optionC * thicknessWorld;
+    centre = clamp(centre, 0.5, float2(extentTexels) - 0.5);
+
+    float widthTexels = clamp(g.optionA * thicknessWorld / distanceWorld, 1.0, 256.0);
+    SATBox box = SATClipBox(SATFrameAtCorner(extentTexels, SAT_EDGE_CLIP), SATBoxAt(centre, float2(widthTexels, widthTexels)));
+    float3 behind = SATSumBox(words, SATFrameAtCorner(extentTexels, SAT_EDGE_CLIP), box).rgb / (SATBoxArea(box) * g.optionB);
+
+    float3 tint = exp(-thicknessWorld * (1.0 - g.albedo));
+    float3 halfway = normalize(kSunWorld - ray / distanceWorld);
+    float shine = pow(saturate(dot(normal, halfway)), 60.0);
+    float grazing = pow(1.0 - saturate(-dot(normal, ray) / distanceWorld), 4.0);
+    return float4(behind * tint * (1.0 - 0.5 * grazing) + 0.25 * grazing * kSkyLight + 0.5 * shine * kSunLight, 1.0);
+}

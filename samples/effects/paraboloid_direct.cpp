@@ -1,0 +1,98 @@
+// A scene drawn straight on the faces of a dual paraboloid, beside the same by way of a cube map.
+//
+//   scene  ->  dp_scene.vs  ->  front, back     |     scene  ->  cube map  ->  dual paraboloid  ->  front, back
+//
+// Scheuermann 2005 (direct rendering of the faces); Hensley 2005, sect. 5.1.1
+#include "passes_shaders.h"
+#include "runtime/passes/dual_paraboloid.h"
+#include "samples/effects/effects.h"
+#include "samples/scenes/shapes.h"
+#include "samples/scenes/surroundings.h"
+
+namespace boxcar {
+namespace {
+
+constexpr float kFarWorld = 10;
+
+PipelineDesc DirectShaders() {
+    return {.vertex = passes_shaders::Find("shaders/dp_scene.vs"),
+            .pixel = passes_shaders::Find("shaders/dp_scene.ps"),
+            .testsDepth = true};
+}
+
+class ParaboloidDirect : public Effect {
+public:
+    ParaboloidDirect(Device& device, const EffectInputs& inputs, const ParameterValues& values)
+        : m_side(static_cast<uint32_t>(values.Whole("face"))),
+          m_surroundings(device, {{2, 1}, {glm::vec4(0), glm::vec4(0)}}, m_side),
+          m_paraboloid(device, m_side),
+          m_direct(device, DirectShaders()),
+          m_pair(device, {passes_shaders::Find("shaders/quad.vs"), passes_shaders::Find("shaders/dp_pair.ps")}),
+          m_room(
+              UploadMesh(device, Subdivided(Room(4), static_cast<uint32_t>(values.Whole("subdivisions"))), "room")),
+          m_sphere(UploadMesh(device, Sphere(1, 48, 24), "sphere")),
+          m_depth(device, {{m_side, m_side}, Format::Depth32F, "depth"}),
+          m_picture(device, {inputs.extent, Format::RGBA32F, "picture"}) {
+        for (const char* name : {"front, direct", "back, direct"})
+            m_faces.emplace_back(device, ImageDesc{{m_side, m_side}, Format::RGBA32F, name});
+    }
+
+private:
+    const Image& Draw(CommandList& commands, const Frame& frame) override {
+        const auto time = static_cast<float>(frame.timeSeconds);
+        std::vector<SceneObject> objects = {
+            {.mesh = &m_room, .turnRadians = 0.4f + 0.2f * time, .albedo = {0.8f, 0.78f, 0.7f}, .checkWorld = 0.5f},
+            {.mesh = &m_sphere, .offsetWorld = {0.5f, -0.5f, -1.1f}, .scale = 0.35f, .albedo = {0.8f, 0.2f, 0.15f}},
+            {.mesh = &m_sphere, .offsetWorld = {-0.6f, 0.3f, 1.0f}, .scale = 0.3f, .albedo = {0.2f, 0.35f, 0.8f}}};
+        const DualParaboloidFaces viaCube = m_paraboloid.Record(commands, m_surroundings.Record(commands, objects));
+        AddStage("front, cube", *viaCube.front);
+        AddStage("back, cube", *viaCube.back);
+        for (size_t face = 0; face < 2; face++) {
+            for (SceneObject& object : objects) {
+                object.optionA = static_cast<float>(face);
+                object.optionB = kFarWorld;
+            }
+            DrawObjects(commands,
+                        {.name = "direct",
+                         .pipeline = m_direct,
+                         .writes = {&m_faces[face]},
+                         .depth = &m_depth,
+                         .clearColor = glm::vec4(0),
+                         .clearsDepth = true},
+                        objects, glm::mat4(1), glm::vec3(0));
+            AddStage(m_faces[face].Desc().name, m_faces[face]);
+        }
+        const bool isFront = frame.values.Choice("show") == "front";
+        commands.Draw(
+            {.name = "pair",
+             .pipeline = m_pair,
+             .reads = {{"left", &m_faces[isFront ? 0 : 1]}, {"right", isFront ? viaCube.front : viaCube.back}},
+             .writes = {&m_picture}});
+        return m_picture;
+    }
+
+    uint32_t m_side;
+    Surroundings m_surroundings;
+    DualParaboloid m_paraboloid;
+    Pipeline m_direct, m_pair;
+    Mesh m_room, m_sphere;
+    std::vector<Image> m_faces;
+    Image m_depth, m_picture;
+};
+
+}  // namespace
+
+EffectInfo ParaboloidDirectInfo() {
+    return {
+        .name = "paraboloid-direct",
+        .what = "A scene drawn straight on a paraboloid (left), and by way of a cube map (right)",
+        .paper = "Scheuermann 2005; Hensley 2005, sect. 5.1.1",
+        .lookFor = "straight rasterisation bends the walls of large triangles and tears them; small ones come right",
+        .parameters =
+            {{"subdivisions", "How often each triangle of the walls is cut in four", "", 0, 6, 1, {}, true, true},
+             {"show", "Which face", "", 0, 0, 0, {"front", "back"}},
+             {"face", "Side of a face", "texels", 16, 1024, 512, {}, true, true}},
+        .make = MakeEffect<ParaboloidDirect>};
+}
+
+}  // namespace boxcar
