@@ -15,6 +15,37 @@ struct LensConstants {
     float largestTexels;   // the width that the map's 1 stands for
 };
 
+// lens_layer.ps: one layer of depth. Its knots, and those of the layers behind and in front of it, are signed squares
+// of circles of confusion.
+struct LensLayerConstants {
+    float focusDisparity;
+    float apertureTexels;
+    float behindKnot;
+    float knot;
+    float beforeKnot;
+};
+
+// lens_over.ps: that layer, blurred, behind those in front of it.
+struct LensOverConstants {
+    float diameterTexels;  // odd
+    int boxes;             // that stand for a disc
+    int sides;             // of a polygon instead of it; 0 for a disc
+    float codeScale;       // what 1 is in codes
+    int isLast;            // 1: nothing comes behind it
+};
+
+// lens_mips.ps
+struct LensMipsConstants {
+    float focusDisparity;
+    float apertureTexels;
+    float noiseLevels;  // how far the level is moved at random, up or down, and the place by as much of its texels
+};
+
+// lens_views.ps
+struct LensViewsConstants {
+    float share;  // of a view in the sum
+};
+
 #ifdef __cplusplus
 }
 #endif

@@ -32,7 +32,7 @@ void RequirePossible(const DofOptions& options) {
         throw UsageError("--aperture {:g}: expected texels, 0 to {:.0f}", options.aperture, kMaxSizeTexels);
 }
 
-// Disparity of every texel, in red.
+// Disparity of every texel, in alpha.
 std::vector<glm::vec4> ReadDisparity(const Picture& picture, const Device& device, const DofOptions& options) {
     const Picture depth = ReadBeside(picture, options.depth, "depth", device, options.read);
     std::vector<float> disparity;
@@ -45,7 +45,7 @@ std::vector<glm::vec4> ReadDisparity(const Picture& picture, const Device& devic
     FillUnknown(disparity, {depth.widthTexels, depth.heightTexels});
     std::vector<glm::vec4> texels;
     for (const float value : disparity)
-        texels.emplace_back(value, 0, 0, 0);
+        texels.emplace_back(0, 0, 0, value);
     return texels;
 }
 

@@ -10,5 +10,6 @@ EffectInfo PhongEnvironmentInfo();
 EffectInfo ParaboloidDirectInfo();
 EffectInfo PlanarReflectionInfo();
 EffectInfo TranslucencyInfo();
+EffectInfo DepthOfFieldInfo();
 
 }  // namespace boxcar
