@@ -15,14 +15,15 @@ struct LensConstants {
     float largestTexels;   // the width that the map's 1 stands for
 };
 
-// lens_layer.ps: one layer of depth. Its knots, and those of the layers behind and in front of it, are signed squares
-// of circles of confusion.
+// lens_layer.ps: one layer of depth. Its knot, and those of the layer behind it and of the two before it, are signed
+// squares of circles of confusion.
 struct LensLayerConstants {
     float focusDisparity;
     float apertureTexels;
     float behindKnot;
     float knot;
     float beforeKnot;
+    float secondBeforeKnot;
 };
 
 // lens_over.ps: that layer, blurred, behind those in front of it.

@@ -1,8 +1,8 @@
-// lens_over.ps: blurs a layer of depth, its shares too, and puts it behind the layers in front of it.
+// lens_over.ps: blurs a layer of depth, its coverage too, and puts it behind what is in front of it.
 //
-// What is in front leaves 1 - alpha uncovered. The layer fills of that as much as it covers by itself: neighbours on one
-// surface, whose shares add up to 1, leave no gap between them, and what a silhouette lets through comes from behind.
-// Coverage divides the light, so that where a layer goes on hidden from view it is continued by what is seen of it.
+// That leaves 1 - alpha uncovered. The layer takes what it covers of it, as long as anything is left: layers of one surface,
+// whose shares add up to 1, have no gap between them. Coverage divides the light, so that a surface goes on a little where
+// it is not known.
 //
 // Beyond the papers
 #include "boxcar/compat.hlsli"
@@ -39,7 +39,8 @@ float4 main(QuadVertex i) : SV_Target0
     float coverage = sum.a / (areaTexels * g.codeScale);
 
     float4 light = before.Load(int3(TexelFromEdge(i.position.xy), 0));
-    if (coverage > 0.0)
-        light += min(coverage, 1.0 - light.a) * float4(sum.rgb / sum.a, 1.0);
+    float share = min(coverage, 1.0 - light.a);
+    if (share > 0.0)
+        light += share * float4(sum.rgb / sum.a, 1.0);
     return g.isLast != 0 ? float4(light.rgb / light.a, 1.0) : light;
 }

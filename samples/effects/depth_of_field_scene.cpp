@@ -54,7 +54,7 @@ private:
         }
         for (int i = 0; i < 7; i++) {
             const float x = 2.1f + 1.5f * static_cast<float>(i);
-            Add(ball, {x, 1.5f + 0.5f * static_cast<float>(i % 3), -9}, 0.05f, {4, 3.2f, 2.0f, 0});
+            Add(ball, {x, 1.5f + 0.5f * static_cast<float>(i % 3), -9}, 0.06f, {16, 13, 9, 0});
         }
         for (int i = 0; i < 4; i++) {
             const auto x = static_cast<float>(i);
@@ -109,9 +109,9 @@ glm::mat4 ClipFromLens(const Camera& camera, Extent2D extent, glm::vec2 pointWor
 class SingleTable {
 public:
     SingleTable(Device& device, Extent2D extent, uint32_t boxes)
-        : m_widths(device, extent, LayeredDepthOfField::kLargestTexels),
-          m_table(device, {.extent = extent, .codes = kCodes}),
-          m_filter(device, {.extent = extent, .precision = SATPrecision::U32, .boxes = boxes, .codes = kCodes}) {}
+        : m_widths(device, extent, kLargestLensTexels),
+          m_table(device, {.extent = extent, .codes = kLensCodes}),
+          m_filter(device, {.extent = extent, .precision = SATPrecision::U32, .boxes = boxes, .codes = kLensCodes}) {}
 
     const Image& Record(CommandList& commands, const Image& nearest, const Lens& lens) {
         const SATWidths widths = m_widths.Record(commands, nearest, lens);
@@ -119,8 +119,6 @@ public:
     }
 
 private:
-    static constexpr SATCodes kCodes{65536 / LayeredDepthOfField::kBrightest, 65535, false};
-
     LensWidths m_widths;
     ExactTable m_table;
     SATFilter m_filter;
@@ -304,7 +302,7 @@ EffectInfo DepthOfFieldInfo() {
                             .unit = "",
                             .minimum = 1,
                             .maximum = 16,
-                            .initial = 5,
+                            .initial = 7,
                             .isWhole = true},
                            {.name = "boxes",
                             .what = "Boxes that stand for a circle",

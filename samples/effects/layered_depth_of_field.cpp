@@ -10,8 +10,6 @@
 namespace boxcar {
 namespace {
 
-const SATCodes kCodes{65536 / LayeredDepthOfField::kBrightest, 65535, false};
-
 PipelineDesc QuadShaders(const char* pixel) {
     return {.vertex = passes_shaders::Find("shaders/quad.vs"), .pixel = passes_shaders::Find(pixel)};
 }
@@ -35,7 +33,7 @@ LayeredDepthOfField::LayeredDepthOfField(Device& device, const LayeredDepthOfFie
       m_take(device, QuadShaders("shaders/lens_layer.ps")),
       m_over(device, QuadShaders("shaders/lens_over.ps")),
       m_layer(device, {desc.extent, Format::RGBA32F, "layer"}),
-      m_table(device, {.extent = desc.extent, .codes = kCodes}),
+      m_table(device, {.extent = desc.extent, .codes = kLensCodes}),
       m_light(device, {desc.extent, Format::RGBA32F, "light"}) {}
 
 const Image& LayeredDepthOfField::Record(CommandList& commands, const Image& nearest, const Image& hidden,
@@ -43,7 +41,7 @@ const Image& LayeredDepthOfField::Record(CommandList& commands, const Image& nea
     BOXCAR_ASSERT(layersPerSide >= 1);
     const auto upTo = [&](float disparity) {
         const float widestTexels = lens.apertureTexels * std::abs(disparity - lens.focusDisparity);
-        return Diameters(std::clamp(widestTexels, 1.0f, kLargestTexels), layersPerSide);
+        return Diameters(std::clamp(widestTexels, 1.0f, kLargestLensTexels), layersPerSide);
     };
     const std::vector<float> before = upTo(std::max(largestDisparity, lens.focusDisparity)), behind = upTo(0);
     const auto diameterTexels = [&](int layer) {
@@ -55,11 +53,10 @@ const Image& LayeredDepthOfField::Record(CommandList& commands, const Image& nea
         const float square = diameterTexels(layer) * diameterTexels(layer) - 1;
         return layer > 0 ? square : -square;
     };
-
     commands.Clear(m_light.Front(), {0, 0, 0, 0});
     for (int layer = layersPerSide; layer >= -layersPerSide; layer--) {
-        const LensLayerConstants take{lens.focusDisparity, lens.apertureTexels, knot(layer - 1), knot(layer),
-                                      knot(layer + 1)};
+        const LensLayerConstants take{lens.focusDisparity, lens.apertureTexels, knot(layer - 1),
+                                      knot(layer),         knot(layer + 1),     knot(layer + 2)};
         commands.Draw({.name = "layer",
                        .pipeline = m_take,
                        .reads = {{"nearest", &nearest}, {"hidden", &hidden}},
@@ -67,8 +64,11 @@ const Image& LayeredDepthOfField::Record(CommandList& commands, const Image& nea
                        .constants = ConstantBytes(take)});
         const TexelWords table = m_table.Record(commands, m_layer);
         const LensOverConstants over{
-            diameterTexels(layer), std::min(static_cast<int>(diameterTexels(layer)), static_cast<int>(m_desc.boxes)),
-            static_cast<int>(m_desc.sides), kCodes.scale, layer == -layersPerSide};
+            .diameterTexels = diameterTexels(layer),
+            .boxes = std::min(static_cast<int>(diameterTexels(layer)), static_cast<int>(m_desc.boxes)),
+            .sides = static_cast<int>(m_desc.sides),
+            .codeScale = kLensCodes.scale,
+            .isLast = layer == -layersPerSide};
         commands.Draw({.name = "over",
                        .pipeline = m_over,
                        .reads = {{"table", table.low}, {"before", &m_light.Front()}},
