@@ -42,7 +42,7 @@ public:
 
 private:
     MeshData Build(const MeshData& object) {
-        const MeshData ball = Sphere(1, 48, 24);
+        const MeshData ball = Sphere(1, 48, 24), farBall = Sphere(1, 32, 16), lamp = Sphere(1, 12, 6);
         Add(StandingMesh(object), {0.25f, 0, 0}, 1.35f, {0.90f, 0.36f, 0.12f, 0});
         Add(Ground(160, 1), {0, 0, 0}, 1, {0.72f, 0.70f, 0.66f, 0.8f});
         Add(ball, {-1.0f, 0.42f, 2.75f}, 0.42f, {0.16f, 0.36f, 0.75f, 0});
@@ -50,11 +50,11 @@ private:
         const glm::vec3 row[] = {{0.62f, 0.12f, 0.12f}, {0.14f, 0.50f, 0.22f}, {0.80f, 0.76f, 0.70f}};
         for (int i = 0; i < 9; i++) {
             const float away = 1.6f * std::pow(1.42f, static_cast<float>(i));
-            Add(ball, {-0.7f - 0.42f * away, 0.6f, 0.4f - away}, 0.6f, glm::vec4(row[i % 3], 0));
+            Add(farBall, {-0.7f - 0.42f * away, 0.6f, 0.4f - away}, 0.6f, glm::vec4(row[i % 3], 0));
         }
         for (int i = 0; i < 7; i++) {
             const float x = 2.1f + 1.5f * static_cast<float>(i);
-            Add(ball, {x, 1.5f + 0.5f * static_cast<float>(i % 3), -9}, 0.06f, {16, 13, 9, 0});
+            Add(lamp, {x, 1.5f + 0.5f * static_cast<float>(i % 3), -9}, 0.06f, {16, 13, 9, 0});
         }
         for (int i = 0; i < 4; i++) {
             const auto x = static_cast<float>(i);
