@@ -79,11 +79,10 @@ private:
     Image m_palette;
 };
 
-PipelineDesc SceneShaders(int hidden) {
-    return {.vertex = passes_shaders::Find("shaders/scene.vs"),
-            .pixel = passes_shaders::Find(fmt::format("shaders/lens_scene.ps.HIDDEN={}", hidden)),
-            .testsDepth = true,
-            .cull = Cull::Back};  // a thing's own back is not what it hides
+PipelineDesc LensShaders(int hidden) {
+    PipelineDesc desc = SceneShaders(fmt::format("lens_scene.ps.HIDDEN={}", hidden));
+    desc.cull = Cull::Back;  // a thing's own back is not what it hides
+    return desc;
 }
 
 PipelineDesc QuadShaders(const char* pixel) {
@@ -202,13 +201,13 @@ class DepthOfFieldScene : public Effect {
 public:
     DepthOfFieldScene(Device& device, const EffectInputs& inputs, const ParameterValues& values)
         : m_scene(device, inputs.mesh),
-          m_drawNearest(device, SceneShaders(0)),
+          m_drawNearest(device, LensShaders(0)),
           m_nearest(device, {inputs.extent, Format::RGBA32F, "nearest"}),
           m_depth(device, {inputs.extent, Format::Depth32F, "depth"}) {
         const std::string_view method = values.Choice("method");
         const auto boxes = static_cast<uint32_t>(values.Whole("boxes"));
         if (method == "layered") {
-            m_drawHidden.emplace(device, SceneShaders(1));
+            m_drawHidden.emplace(device, LensShaders(1));
             m_hidden.emplace(device, ImageDesc{inputs.extent, Format::RGBA32F, "hidden"});
             m_layered.emplace(device, LayeredDepthOfFieldDesc{.extent = inputs.extent, .boxes = boxes});
         }
