@@ -15,8 +15,8 @@ struct LensConstants {
     float largestTexels;   // the width that the map's 1 stands for
 };
 
-// lens_layer.ps: one layer of depth. Its knot, and those of the layer behind it and of the two before it, are signed
-// squares of circles of confusion.
+// lens_layer.ps: one layer of depth. Its knot, and those of the layer behind it and of the three before it, are
+// signed squares of circles of confusion.
 struct LensLayerConstants {
     float focusDisparity;
     float apertureTexels;
@@ -24,6 +24,7 @@ struct LensLayerConstants {
     float knot;
     float beforeKnot;
     float secondBeforeKnot;
+    float thirdBeforeKnot;
 };
 
 // lens_over.ps: that layer, blurred, behind those in front of it.

@@ -55,8 +55,8 @@ const Image& LayeredDepthOfField::Record(CommandList& commands, const Image& nea
     };
     commands.Clear(m_light.Front(), {0, 0, 0, 0});
     for (int layer = layersPerSide; layer >= -layersPerSide; layer--) {
-        const LensLayerConstants take{lens.focusDisparity, lens.apertureTexels, knot(layer - 1),
-                                      knot(layer),         knot(layer + 1),     knot(layer + 2)};
+        const LensLayerConstants take{lens.focusDisparity, lens.apertureTexels, knot(layer - 1), knot(layer),
+                                      knot(layer + 1),     knot(layer + 2),     knot(layer + 3)};
         commands.Draw({.name = "layer",
                        .pipeline = m_take,
                        .reads = {{"nearest", &nearest}, {"hidden", &hidden}},

@@ -25,7 +25,8 @@ TEST(PassesConstants, OffsetsInCppEqualThoseInTheShaders) {
     const Offsets lensLayer = {
         OFFSET(LensLayerConstants, focusDisparity), OFFSET(LensLayerConstants, apertureTexels),
         OFFSET(LensLayerConstants, behindKnot),     OFFSET(LensLayerConstants, knot),
-        OFFSET(LensLayerConstants, beforeKnot),     OFFSET(LensLayerConstants, secondBeforeKnot)};
+        OFFSET(LensLayerConstants, beforeKnot),     OFFSET(LensLayerConstants, secondBeforeKnot),
+        OFFSET(LensLayerConstants, thirdBeforeKnot)};
     const Offsets lensOver = {OFFSET(LensOverConstants, diameterTexels), OFFSET(LensOverConstants, boxes),
                               OFFSET(LensOverConstants, sides), OFFSET(LensOverConstants, codeScale),
                               OFFSET(LensOverConstants, isLast)};
