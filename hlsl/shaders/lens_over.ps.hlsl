@@ -12,7 +12,10 @@
 
 BOXCAR_CONSTANTS(Constants) { LensOverConstants g; };
 Texture2D<uint4> table : register(t0);    // of the layer
-Texture2D<float4> before : register(t1);  // light times coverage; coverage in alpha
+#if WORDS == 2
+Texture2D<uint4> tableHigh : register(t1);
+#endif
+Texture2D<float4> before : register(t2);  // light times coverage; coverage in alpha
 
 // Where a surface bends, its layers' coverages add up to a little less than 1: what is hidden there would glimmer through.
 static const float kClosing = 1.02;
@@ -25,9 +28,13 @@ int2 NearestEdge(float2 edgeTexels)
 
 float4 main(QuadVertex i) : SV_Target0
 {
+#if WORDS == 2
+    SATExactTable words = SATTable64(table, tableHigh, false);
+#else
+    SATExactTable words = SATTable32(table);
+#endif
     int2 extentTexels;
     before.GetDimensions(extentTexels.x, extentTexels.y);
-    SATExactTable words = SATTable32(table);
     SATFrame frame = SATFrameAtCorner(extentTexels, SAT_EDGE_CLIP);
     float4 sum = (float4)0;
     float areaTexels = 0.0;

@@ -108,7 +108,7 @@ glm::mat4 ClipFromLens(const Camera& camera, Extent2D extent, glm::vec2 pointWor
 class SingleTable {
 public:
     SingleTable(Device& device, Extent2D extent, uint32_t boxes)
-        : m_widths(device, extent, kLargestLensTexels),
+        : m_widths(device, extent, LayeredDepthOfFieldDesc().largestTexels),
           m_table(device, {.extent = extent, .codes = kLensCodes}),
           m_filter(device, {.extent = extent, .precision = SATPrecision::U32, .boxes = boxes, .codes = kLensCodes}) {}
 
@@ -250,7 +250,7 @@ private:
         if (m_layered) {
             draw(*m_drawHidden, *m_hidden, {0, 0});
             AddStage("hidden", *m_hidden);
-            const Image& picture = m_layered->Record(commands, m_nearest, *m_hidden, lens, 1 / kNearestWorld,
+            const Image& picture = m_layered->Record(commands, m_nearest, &*m_hidden, lens, 1 / kNearestWorld,
                                                      frame.values.Whole("layers"));
             AddStage("farthest layer", m_layered->Layer());
             return picture;

@@ -10,7 +10,7 @@
 namespace boxcar {
 namespace {
 
-PipelineDesc QuadShaders(const char* pixel) {
+PipelineDesc QuadShaders(const std::string& pixel) {
     return {.vertex = passes_shaders::Find("shaders/quad.vs"), .pixel = passes_shaders::Find(pixel)};
 }
 
@@ -30,53 +30,70 @@ std::vector<float> Diameters(float largestTexels, int layers) {
 
 LayeredDepthOfField::LayeredDepthOfField(Device& device, const LayeredDepthOfFieldDesc& desc)
     : m_desc(desc),
+      m_precision(SATExactPrecision(glm::vec2(desc.largestTexels), 1, true, kLensCodes)),
       m_take(device, QuadShaders("shaders/lens_layer.ps")),
-      m_over(device, QuadShaders("shaders/lens_over.ps")),
+      m_over(device, QuadShaders(fmt::format("shaders/lens_over.ps.WORDS={}", WordsOf(m_precision)))),
       m_layer(device, {desc.extent, Format::RGBA32F, "layer"}),
-      m_table(device, {.extent = desc.extent, .codes = kLensCodes}),
+      m_table(device, {.extent = desc.extent, .precision = m_precision, .codes = kLensCodes}),
       m_light(device, {desc.extent, Format::RGBA32F, "light"}) {}
 
-const Image& LayeredDepthOfField::Record(CommandList& commands, const Image& nearest, const Image& hidden,
+const Image& LayeredDepthOfField::Record(CommandList& commands, const Image& nearest, const Image* hidden,
                                          const Lens& lens, float largestDisparity, int layersPerSide) {
     BOXCAR_ASSERT(layersPerSide >= 1);
     const auto upTo = [&](float disparity) {
         const float widestTexels = lens.apertureTexels * std::abs(disparity - lens.focusDisparity);
-        return Diameters(std::clamp(widestTexels, 1.0f, kLargestLensTexels), layersPerSide);
+        return Diameters(std::clamp(widestTexels, 1.0f, m_desc.largestTexels), layersPerSide);
     };
     const std::vector<float> before = upTo(std::max(largestDisparity, lens.focusDisparity)), behind = upTo(0);
     const auto diameterTexels = [&](int layer) {
         return (layer > 0 ? before : behind)[static_cast<size_t>(std::abs(layer))];
     };
+    const auto beyond = [](int layers) { return 1e30f * static_cast<float>(layers); };
     const auto knot = [&](int layer) {
-        if (std::abs(layer) > layersPerSide)
-            return layer > 0 ? 1e30f : -1e30f;  // the last layers hold all beyond them
+        if (layer > layersPerSide) return beyond(layer - layersPerSide);  // the last layers hold all beyond them
+        if (layer < -layersPerSide) return beyond(layer + layersPerSide);
         const float square = diameterTexels(layer) * diameterTexels(layer) - 1;
         return layer > 0 ? square : -square;
     };
+
     commands.Clear(m_light.Front(), {0, 0, 0, 0});
     for (int layer = layersPerSide; layer >= -layersPerSide; layer--) {
-        const LensLayerConstants take{lens.focusDisparity, lens.apertureTexels, knot(layer - 1), knot(layer),
-                                      knot(layer + 1),     knot(layer + 2),     knot(layer + 3)};
-        commands.Draw({.name = "layer",
-                       .pipeline = m_take,
-                       .reads = {{"nearest", &nearest}, {"hidden", &hidden}},
-                       .writes = {&m_layer},
-                       .constants = ConstantBytes(take)});
-        const TexelWords table = m_table.Record(commands, m_layer);
-        const LensOverConstants over{
-            .diameterTexels = diameterTexels(layer),
-            .boxes = std::min(static_cast<int>(diameterTexels(layer)), static_cast<int>(m_desc.boxes)),
-            .sides = static_cast<int>(m_desc.sides),
-            .codeScale = kLensCodes.scale,
-            .isLast = layer == -layersPerSide};
-        commands.Draw({.name = "over",
-                       .pipeline = m_over,
-                       .reads = {{"table", table.low}, {"before", &m_light.Front()}},
-                       .writes = {&m_light.Back()},
-                       .constants = ConstantBytes(over)});
-        m_light.Swap();
+        LensLayerConstants take{lens.focusDisparity, lens.apertureTexels, knot(layer - 1), knot(layer),
+                                knot(layer + 1),     knot(layer + 2),     knot(layer + 3)};
+        if (!hidden) take.secondBeforeKnot = beyond(10), take.thirdBeforeKnot = beyond(11);
+        Put(commands, nearest, hidden ? *hidden : nearest, take, diameterTexels(layer),
+            hidden && layer == -layersPerSide);
     }
+    // All that is not before the focus, as far round as anything can let it through.
+    if (!hidden)
+        Put(commands, nearest, nearest,
+            {lens.focusDisparity, lens.apertureTexels, beyond(-1), 0, knot(1), beyond(10), beyond(11)}, before.back(),
+            true);
     return m_light.Front();
+}
+
+void LayeredDepthOfField::Put(CommandList& commands, const Image& nearest, const Image& hidden,
+                              const LensLayerConstants& knots, float diameterTexels, bool isLast) {
+    commands.Draw({.name = "layer",
+                   .pipeline = m_take,
+                   .reads = {{"nearest", &nearest}, {"hidden", &hidden}},
+                   .writes = {&m_layer},
+                   .constants = ConstantBytes(knots)});
+    const TexelWords table = m_table.Record(commands, m_layer);
+    const LensOverConstants constants{
+        .diameterTexels = diameterTexels,
+        .boxes = std::min(static_cast<int>(diameterTexels), static_cast<int>(m_desc.boxes)),
+        .sides = static_cast<int>(m_desc.sides),
+        .codeScale = kLensCodes.scale,
+        .isLast = isLast};
+    Pass pass{.name = "over",
+              .pipeline = m_over,
+              .reads = {{"table", table.low}, {"before", &m_light.Front()}},
+              .writes = {&m_light.Back()},
+              .constants = ConstantBytes(constants)};
+    if (table.high) pass.reads.push_back({"tableHigh", table.high});
+    commands.Draw(pass);
+    m_light.Swap();
 }
 
 }  // namespace boxcar

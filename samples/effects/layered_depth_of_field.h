@@ -14,21 +14,22 @@
 // Beyond the papers (Hensley 2005, sect. 5.4 names the bleeding as a drawback)
 #pragma once
 
+#include "hlsl/constants/effect_constants.h"
 #include "runtime/passes/exact_table.h"
 #include "runtime/ping_pong.h"
 #include "samples/effects/depth_of_field.h"
 
 namespace boxcar {
 
-// Light up to 16, in codes of 1 / 16384; the words of a table hold any sum of them over so large a circle. Brighter
-// light and larger circles become these.
-constexpr SATCodes kLensCodes{16384, 16 * 16384 - 1, false};
-constexpr float kLargestLensTexels = 127;
+// Brighter light becomes this.
+constexpr float kBrightestLensLight = 16;
+constexpr SATCodes kLensCodes{16384, kBrightestLensLight * 16384, false};
 
 struct LayeredDepthOfFieldDesc {
-    Extent2D extent = {};  // texels
-    uint32_t boxes = 8;    // of equal height, that stand for a circle
-    uint32_t sides = 0;    // of an aperture with so many blades, 3 to 16; 0: round
+    Extent2D extent = {};       // texels
+    uint32_t boxes = 8;         // of equal height, that stand for a circle
+    uint32_t sides = 0;         // of an aperture with so many blades, 3 to 16; 0: round
+    float largestTexels = 127;  // the largest circle; larger ones become this. Up to 127 the tables have one word
 };
 
 // Device memory: that of ExactTable and 48 bytes a texel. Move-only. Not thread-safe.
@@ -40,17 +41,26 @@ public:
     // Returns the picture, RGBA32F.
     //
     //   nearest           linear light; disparity, 1 / depth, in alpha
-    //   hidden            the same of what is seen when `nearest` is taken away
+    //   hidden            the same of what is seen when `nearest` is taken away. Null: not known; where something
+    //                     before the focus lets it through, it is continued from what is seen beside it
     //   largestDisparity  of the nearest point of the scene
     //   layersPerSide     before the focus, and behind it; 1 at least
-    const Image& Record(CommandList& commands, const Image& nearest, const Image& hidden, const Lens& lens,
+    const Image& Record(CommandList& commands, const Image& nearest, const Image* hidden, const Lens& lens,
                         float largestDisparity, int layersPerSide);
+
+    // Of the tables.
+    SATPrecision Precision() const { return m_precision; }
 
     // The layer that was recorded last: the farthest.
     const Image& Layer() const { return m_layer; }
 
 private:
+    // One more layer behind the others: shares by `knots`, blurred with circles of `diameterTexels`.
+    void Put(CommandList& commands, const Image& nearest, const Image& hidden, const LensLayerConstants& knots,
+             float diameterTexels, bool isLast);
+
     LayeredDepthOfFieldDesc m_desc;
+    SATPrecision m_precision;
     Pipeline m_take, m_over;
     Image m_layer;
     ExactTable m_table;

@@ -34,7 +34,7 @@ TEST(PassesConstants, OffsetsInCppEqualThoseInTheShaders) {
                               OFFSET(LensMipsConstants, noiseLevels)};
     EXPECT_EQ(OffsetsIn("shaders/lens_width.ps"), lens);
     EXPECT_EQ(OffsetsIn("shaders/lens_layer.ps"), lensLayer);
-    EXPECT_EQ(OffsetsIn("shaders/lens_over.ps"), lensOver);
+    EXPECT_EQ(OffsetsIn("shaders/lens_over.ps.WORDS=2"), lensOver);
     EXPECT_EQ(OffsetsIn("shaders/lens_mips.ps"), lensMips);
     EXPECT_EQ(OffsetsIn("shaders/sat_pass.vs.TAPS=16"), pass);
     EXPECT_EQ(OffsetsIn("shaders/sat_pass_load.ps.TAPS=2"), pass);
