@@ -33,6 +33,7 @@ struct LensOverConstants {
     int boxes;             // that stand for a disc
     int sides;             // of a polygon instead of it; 0 for a disc
     float codeScale;       // what 1 is in codes
+    float opacity;         // times its coverage: over 1 it closes gaps
     int isLast;            // 1: nothing comes behind it
 };
 

@@ -17,9 +17,6 @@ Texture2D<uint4> tableHigh : register(t1);
 #endif
 Texture2D<float4> before : register(t2);  // light times coverage; coverage in alpha
 
-// Where a surface bends, its layers' coverages add up to a little less than 1: what is hidden there would glimmer through.
-static const float kClosing = 1.02;
-
 // NearestEdge: the whole edge nearest to a point; boxes that share an edge find the same.
 int2 NearestEdge(float2 edgeTexels)
 {
@@ -49,7 +46,7 @@ float4 main(QuadVertex i) : SV_Target0
     float coverage = sum.a / (areaTexels * g.codeScale);
 
     float4 light = before.Load(int3(TexelFromEdge(i.position.xy), 0));
-    float share = min(kClosing * coverage, 1.0 - light.a);
+    float share = min(g.opacity * coverage, 1.0 - light.a);
     if (share > 0.0)
         light += share * float4(sum.rgb / sum.a, 1.0);
     return g.isLast != 0 ? float4(light.rgb / light.a, 1.0) : light;

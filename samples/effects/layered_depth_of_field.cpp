@@ -10,6 +10,11 @@
 namespace boxcar {
 namespace {
 
+// Where a surface bends, its layers' coverages add up to a little less than 1: what is hidden there would glimmer
+// through.
+constexpr float kClosing = 1.02f;
+constexpr float kFilling = 1e6f;  // any coverage is enough
+
 PipelineDesc QuadShaders(const std::string& pixel) {
     return {.vertex = passes_shaders::Find("shaders/quad.vs"), .pixel = passes_shaders::Find(pixel)};
 }
@@ -61,19 +66,20 @@ const Image& LayeredDepthOfField::Record(CommandList& commands, const Image& nea
         LensLayerConstants take{lens.focusDisparity, lens.apertureTexels, knot(layer - 1), knot(layer),
                                 knot(layer + 1),     knot(layer + 2),     knot(layer + 3)};
         if (!hidden) take.secondBeforeKnot = beyond(10), take.thirdBeforeKnot = beyond(11);
-        Put(commands, nearest, hidden ? *hidden : nearest, take, diameterTexels(layer),
+        Put(commands, nearest, hidden ? *hidden : nearest, take, diameterTexels(layer), kClosing,
             hidden && layer == -layersPerSide);
     }
-    // All that is not before the focus, as far round as anything can let it through.
+    // What something near lets through is like what is seen round it farther away; of what is in focus only where
+    // there is nothing else.
     if (!hidden)
         Put(commands, nearest, nearest,
-            {lens.focusDisparity, lens.apertureTexels, beyond(-1), 0, knot(1), beyond(10), beyond(11)}, before.back(),
-            true);
+            {lens.focusDisparity, lens.apertureTexels, beyond(-1), knot(-1), -knot(-1) / 63, beyond(10), beyond(11)},
+            before.back(), kFilling, true);
     return m_light.Front();
 }
 
 void LayeredDepthOfField::Put(CommandList& commands, const Image& nearest, const Image& hidden,
-                              const LensLayerConstants& knots, float diameterTexels, bool isLast) {
+                              const LensLayerConstants& knots, float diameterTexels, float opacity, bool isLast) {
     commands.Draw({.name = "layer",
                    .pipeline = m_take,
                    .reads = {{"nearest", &nearest}, {"hidden", &hidden}},
@@ -85,6 +91,7 @@ void LayeredDepthOfField::Put(CommandList& commands, const Image& nearest, const
         .boxes = std::min(static_cast<int>(diameterTexels), static_cast<int>(m_desc.boxes)),
         .sides = static_cast<int>(m_desc.sides),
         .codeScale = kLensCodes.scale,
+        .opacity = opacity,
         .isLast = isLast};
     Pass pass{.name = "over",
               .pipeline = m_over,

@@ -57,7 +57,7 @@ public:
 private:
     // One more layer behind the others: shares by `knots`, blurred with circles of `diameterTexels`.
     void Put(CommandList& commands, const Image& nearest, const Image& hidden, const LensLayerConstants& knots,
-             float diameterTexels, bool isLast);
+             float diameterTexels, float opacity, bool isLast);
 
     LayeredDepthOfFieldDesc m_desc;
     SATPrecision m_precision;

@@ -28,8 +28,8 @@ TEST(PassesConstants, OffsetsInCppEqualThoseInTheShaders) {
         OFFSET(LensLayerConstants, beforeKnot),     OFFSET(LensLayerConstants, secondBeforeKnot),
         OFFSET(LensLayerConstants, thirdBeforeKnot)};
     const Offsets lensOver = {OFFSET(LensOverConstants, diameterTexels), OFFSET(LensOverConstants, boxes),
-                              OFFSET(LensOverConstants, sides), OFFSET(LensOverConstants, codeScale),
-                              OFFSET(LensOverConstants, isLast)};
+                              OFFSET(LensOverConstants, sides),          OFFSET(LensOverConstants, codeScale),
+                              OFFSET(LensOverConstants, opacity),        OFFSET(LensOverConstants, isLast)};
     const Offsets lensMips = {OFFSET(LensMipsConstants, focusDisparity), OFFSET(LensMipsConstants, apertureTexels),
                               OFFSET(LensMipsConstants, noiseLevels)};
     EXPECT_EQ(OffsetsIn("shaders/lens_width.ps"), lens);
