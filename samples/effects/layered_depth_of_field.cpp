@@ -12,7 +12,7 @@ namespace {
 
 // Where a surface bends, its layers' coverages add up to a little less than 1: what is hidden there would glimmer
 // through.
-constexpr float kClosing = 1.02f;
+constexpr float kClosing = 1.05f;
 constexpr float kFilling = 1e6f;  // any coverage is enough
 
 PipelineDesc QuadShaders(const std::string& pixel) {

@@ -2,7 +2,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "samples/effects/effects.h"
+#include "samples/effects/layered_depth_of_field.h"
 #include "tests/reference/similarity.h"
 #include "tests/support/device_image.h"
 
@@ -81,6 +84,31 @@ TEST(DepthOfField, WhatIsSharpBleedsFromATableOfThePictureAndNotFromLayers) {
                100 * layered / all);
     EXPECT_GT(single, 0.01 * all);
     EXPECT_LT(layered, 0.1 * single);
+}
+
+// A red leaf over the left half, its circles 21 texels wide, before a wall in focus with stripes of green and blue,
+// all of which is known. At a distance x from its edge, the leaf covers the segment of a disc; through the rest the
+// wall is seen as sharp as it is.
+TEST(DepthOfField, WhatANearThingHidesIsSeenThroughItsRim) {
+    constexpr Extent2D extent{80, 40};
+    Texels nearest, hidden;
+    for (int i = 0; i < 80 * 40; i++) {
+        hidden.push_back(i % 2 ? glm::vec4(0, 0, 1, 0.2f) : glm::vec4(0, 1, 0, 0.2f));
+        nearest.push_back(i % 80 < 40 ? glm::vec4(1, 0, 0, 0.8f) : hidden.back());
+    }
+    const Image nearestImage = Upload(extent, nearest), hiddenImage = Upload(extent, hidden);
+    LayeredDepthOfField effect(TestDevice(), {.extent = extent});
+    CommandList commands(TestDevice());
+    const Image& result = effect.Record(commands, nearestImage, &hiddenImage, {0.2f, 35}, 0.8f, 4);
+    commands.SubmitAndWait();
+    const Texels picture = Download(result);
+    for (int x = 0; x < 80; x++) {
+        const double side = std::clamp((40 - x - 0.5) / 10.5, -1.0, 1.0);
+        const double covered = 0.5 + (std::asin(side) + side * std::sqrt(1 - side * side)) / std::numbers::pi;
+        const glm::vec4 texel = picture[static_cast<size_t>(20 * 80 + x)];
+        EXPECT_NEAR(texel.r, covered, 0.055) << "column " << x;  // 0.05 of it closes gaps between layers
+        EXPECT_NEAR(texel.r + (x % 2 ? texel.b : texel.g), 1, 1e-4) << "column " << x;
+    }
 }
 
 // Those whose circle is one texel. Layers may put something nearer over them, and its circle may be taken for the
