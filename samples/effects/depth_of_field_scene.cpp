@@ -2,7 +2,7 @@
 //
 //   scene  ->  nearest: light, disparity  ->  the picture, by the method
 //
-//   layered       depth_of_field in layers, with what is hidden behind the nearest surface (beyond the papers)
+//   layered       in layers of depth, with what is hidden behind the nearest surface (beyond the papers)
 //   single        one table of the picture
 //   mips, noise   a mip map of the picture
 //   accumulation  256 views from all over the lens: what the others are measured by
@@ -26,7 +26,7 @@ namespace {
 constexpr uint32_t kViews = 256;
 constexpr float kNoiseLevels = 0.6f;
 constexpr glm::vec3 kSky{0.50f, 0.60f, 0.74f};
-constexpr float kNearestWorld = 1.9f;  // depth of the nearest thing in the scene
+constexpr float kNearestWorld = 1.8f;  // depth of the nearest thing in the scene
 
 // The scene as one mesh, that hundreds of views draw at a command each: uv.x is the number of its part's material.
 class Scene {
