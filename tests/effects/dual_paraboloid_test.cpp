@@ -134,6 +134,61 @@ TEST(DualParaboloid, WeightsOfBothFacesAddUpToTheSphere) {
     }
 }
 
+// Both poles, both sides of the rim and the rim itself, and all between.
+std::vector<glm::dvec3> DirectionsAllOver() {
+    std::vector<glm::dvec3> directions;
+    for (int tilt = 0; tilt <= 36; tilt++)
+        for (int azimuth = 0; azimuth < 24; azimuth++)
+            directions.push_back(Tilted(0, tilt * kPi / 36, (azimuth + 0.1 * tilt) * kPi / 12));
+    for (const double tilt : {89.99, 90.01, 89.5, 90.5})
+        for (int azimuth = 0; azimuth < 24; azimuth++)
+            directions.push_back(Tilted(0, tilt * kPi / 180, azimuth * kPi / 12));
+    return directions;
+}
+
+TEST(DualParaboloid, OneSampleIsTheLightOfItsDirection) {
+    const Image cube = DirectionCube(128);
+    DualParaboloid paraboloid(TestDevice(), 128);
+    CommandList commands(TestDevice());
+    const DualParaboloidFaces faces = paraboloid.Record(commands, cube);
+    commands.SubmitAndWait();
+    const std::vector<glm::dvec3> directions = DirectionsAllOver();
+    const Image image = UploadDirections(directions);
+    const Texels light = Download(Drawn("dp_single.ps.FIXED=0", image.Extent(),
+                                        {{"front", faces.front}, {"back", faces.back}, {"directions", &image}}));
+    for (size_t i = 0; i < directions.size(); i++)
+        EXPECT_LT(glm::length(glm::dvec3(light[i]) - directions[i]), 0.008) << i;  // half a texel of the cube
+}
+
+// Why not cube maps: a cone is an ellipse on a cube's face, the longer the nearer to its corner, and all six may be
+// hit.
+TEST(DualParaboloid, ConesAreCirclesOnParaboloidsAndNotOnCubes) {
+    const double angle = 0.15;
+    for (const double tilt : {0.0, 0.4, 0.8}) {
+        const glm::dvec3 dir = Tilted(0, tilt, kPi / 4);
+        const glm::dvec3 across = glm::normalize(glm::cross(dir, glm::dvec3(0, 0, 1) + 1e-3));
+        const glm::dvec3 other = glm::cross(dir, across);
+        const double cosT = std::cos(angle), sinT = std::sin(angle);
+        const glm::dvec2 centre = glm::dvec2(dir) / (cosT - dir.z);
+        double cubeMin = 1e9, cubeMax = 0, paraboloidMin = 1e9, paraboloidMax = 0;
+        const glm::dvec3 ends[] = {cosT * dir + sinT * across, cosT * dir - sinT * across, cosT * dir + sinT * other,
+                                   cosT * dir - sinT * other};
+        for (int axis = 0; axis < 2; axis++) {
+            const glm::dvec3 &a = ends[2 * axis], &b = ends[2 * axis + 1];
+            const double cube = glm::length(glm::dvec2(a) / -a.z - glm::dvec2(b) / -b.z);
+            cubeMin = std::min(cubeMin, cube);
+            cubeMax = std::max(cubeMax, cube);
+        }
+        for (const glm::dvec3& end : ends) {
+            const double radius = glm::length(glm::dvec2(end) / (1 - end.z) - centre);
+            paraboloidMin = std::min(paraboloidMin, radius);
+            paraboloidMax = std::max(paraboloidMax, radius);
+        }
+        EXPECT_NEAR(paraboloidMax / paraboloidMin, 1, 1e-9);
+        EXPECT_NEAR(cubeMax / cubeMin, 1 / std::cos(tilt), 0.05) << tilt;  // 1.44 at 46 degrees
+    }
+}
+
 // A cone's rim lies on the circle that is said to be its picture.
 TEST(DualParaboloid, ConesAreCircles) {
     std::vector<glm::dvec3> directions;
@@ -202,18 +257,6 @@ private:
     DualParaboloidTables m_tables;
 };
 
-// Both poles, both sides of the rim and the rim itself, and all between.
-std::vector<glm::dvec3> DirectionsAllOver() {
-    std::vector<glm::dvec3> directions;
-    for (int tilt = 0; tilt <= 36; tilt++)
-        for (int azimuth = 0; azimuth < 24; azimuth++)
-            directions.push_back(Tilted(0, tilt * kPi / 36, (azimuth + 0.1 * tilt) * kPi / 12));
-    for (const double tilt : {89.99, 90.01, 89.5, 90.5})
-        for (int azimuth = 0; azimuth < 24; azimuth++)
-            directions.push_back(Tilted(0, tilt * kPi / 180, azimuth * kPi / 12));
-    return directions;
-}
-
 TEST(DualParaboloid, AConstantEnvironmentStaysConstant) {
     constexpr glm::vec4 kLight(0.7f, 12.3f, 0.0314f, 1);
     const Environment constant{{64, 32}, std::vector(64 * 32, kLight)};
@@ -233,6 +276,34 @@ TEST(DualParaboloid, AConstantEnvironmentStaysConstant) {
                 for (int c = 0; c < 3; c++)
                     ASSERT_NEAR(Channel(texel, c) / kLight[c], 1, 1e-4) << lobe << ", width " << width;
         }
+    }
+}
+
+// The papers' tables of floats: alpha counts whole texels, so only colours are rounded.
+TEST(DualParaboloid, ThePapersLookupKeepsAConstantWithinItsBound) {
+    constexpr glm::vec4 kLight(0.7f, 12.3f, 0.0314f, 1);
+    constexpr uint32_t kSide = 256;
+    Texels masked;
+    for (uint32_t y = 0; y < kSide; y++)
+        for (uint32_t x = 0; x < kSide; x++)
+            masked.push_back(std::hypot(x - 127.5, y - 127.5) <= 128 ? kLight : glm::vec4(0));
+    const Image source = Upload({kSide, kSide}, masked);
+    SummedAreaTable table(TestDevice(), {.extent = {kSide, kSide}});
+    CommandList commands(TestDevice());
+    const Image& sums = *table.Record(commands, source).low;
+    commands.SubmitAndWait();
+    const std::vector<glm::dvec3> directions = DirectionsAllOver();
+    const Image image = UploadDirections(directions);
+    for (const auto& [width, bound] : {std::pair(1, 0.03), std::pair(3, 0.004), std::pair(17, 0.0004)}) {
+        const Texels light = Download(Drawn(fmt::format("dp_single.ps.FIXED={}", width), image.Extent(),
+                                            {{"front", &sums}, {"back", &sums}, {"directions", &image}}));
+        double largest = 0;
+        for (const glm::vec4& texel : light)
+            for (int c = 0; c < 3; c++)
+                largest = std::max(largest, std::abs(Channel(texel, c) / kLight[c] - 1));
+        RecordProperty(fmt::format("width_{}", width), fmt::format("{}", largest));
+        EXPECT_LE(largest, bound) << width;
+        EXPECT_GT(largest, 1e-6) << "floats would be exact";
     }
 }
 
