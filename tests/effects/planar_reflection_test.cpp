@@ -39,6 +39,20 @@ TEST(PlanarReflection, IsTheSharpOneAtTheContact) {
     EXPECT_GT(largestElsewhere, 0.1f) << "nothing was blurred";
 }
 
+// A mirror shows the mirrored scene texel for texel. (Where objects stand before the floor it shows them.)
+TEST(PlanarReflection, OfAMirrorIsTheMirroredScene) {
+    TestEffect effect("planar-reflection", kExtent, {{"mirror", "1"}, {"roughness", "0"}});
+    const Texels picture = effect.Picture(), reflected = effect.Stage("reflected");
+    size_t onObjects = 0, same = 0;
+    for (size_t i = 0; i < picture.size(); i++) {
+        if (reflected[i].a > 2) continue;  // sky
+        onObjects++;
+        same += LargestDifference(picture[i], reflected[i]) < 4e-5f;
+    }
+    EXPECT_GT(onObjects, 1000u);
+    EXPECT_GT(same, onObjects / 2);
+}
+
 TEST(PlanarReflection, WidthGrowsWithTheDistanceAndIsTheConeSeenFromTheEye) {
     Texels rays;
     for (int i = 0; i < 200; i++)
