@@ -15,6 +15,11 @@ struct LensConstants {
     float largestTexels;   // the width that the map's 1 stands for
 };
 
+// texture_pattern.ps
+struct TexturePatternConstants {
+    float2 cells;  // black and white ones along the texture's sides
+};
+
 #ifdef __cplusplus
 }
 #endif

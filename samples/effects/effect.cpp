@@ -79,6 +79,7 @@ const Image& Effect::AddStage(std::string name, const Image& image) {
 std::span<const EffectInfo> Effects() {
     static const EffectInfo kEffects[] = {
         PlanarReflectionInfo(),
+        TextureFilteringInfo(),
     };
     return kEffects;
 }

@@ -6,5 +6,6 @@
 namespace boxcar {
 
 EffectInfo PlanarReflectionInfo();
+EffectInfo TextureFilteringInfo();
 
 }  // namespace boxcar
