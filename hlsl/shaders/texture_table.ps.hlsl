@@ -7,7 +7,7 @@
 
 Texture2D<uint4> table : register(t0);
 
-// Texels of 8 bits: boxes of 8 x 8 repetitions of 256 x 256 fit into 32 bits. Beyond, whole repetitions: all the same.
+// Boxes of 8 x 8 repetitions of 256 x 256 texels of 8 bits fit into 32 bits. Wider ones have the same mean.
 static const float kMostRepeats = 8.0;
 static const float kCodesOfWhite = 255.0;
 

@@ -80,6 +80,7 @@ std::span<const EffectInfo> Effects() {
     static const EffectInfo kEffects[] = {
         PlanarReflectionInfo(),
         TextureFilteringInfo(),
+        SoftShadowInfo(),
     };
     return kEffects;
 }

@@ -7,5 +7,6 @@ namespace boxcar {
 
 EffectInfo PlanarReflectionInfo();
 EffectInfo TextureFilteringInfo();
+EffectInfo SoftShadowInfo();
 
 }  // namespace boxcar

@@ -1,5 +1,6 @@
 // Texture filters against 256 samples a pixel. Alpha of the effect's picture is the light that white would give off,
 // so a texel over it is what the filter made of the texture; 0 where nothing is.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
