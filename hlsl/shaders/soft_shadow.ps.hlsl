@@ -70,9 +70,9 @@ float LampShare(float3 positionWorld, float3 normalWorld)
     float flatVariance = slopeCodes * slopeCodes / 12.0;
     float flatOffset = texelWorld * codesAtOne / (12.0 * g.texelsAtOne * cosine * cosine);
 
-    // Were there two depths only, the receiver's and the nearer one of what is in the way, mean - variance / (receiver
-    // - mean) would be the latter. First over all that may be in the way, then over what the answer leaves of it: else
-    // what is far off would blur the shadow of what is near.
+    // Were there two depths only, the receiver's and the nearer one of what is in the way, the latter would be
+    // mean - variance / (receiver - mean). First over all that may be in the way, then over what the answer leaves of
+    // it: else what is far off would blur the shadow of what is near.
     float widthTexels = FootprintPenumbra(distanceWorld, g.nearWorld, lampTexels);
     for (int narrowed = 0; narrowed < 3; narrowed++)
     {

@@ -86,17 +86,12 @@ Texels RandomBoxes(Extent2D extent, size_t count) {
 // Depths: of all magnitudes; within a few codes of each other, far from 0, where sums of squares in float32 have no
 // digit left; all the same; a slope; and the depth map of the effect.
 TEST(SATMoments, AreThoseOfTheDefinitionOverAnyBox) {
-    const EffectInfo& info = FindEffect("soft-shadow");
-    ParameterValues values(info.parameters);
-    values.Set("map", "96");
-    const auto effect = info.make(TestDevice(), {.extent = {8, 8}, .mesh = SampleMesh("bunny")}, values);
-    CommandList commands(TestDevice());
-    effect->Record(commands, {0, values});
-    commands.SubmitAndWait();
+    EffectPictures scene("soft-shadow", {.extent = {8, 8}, .mesh = SampleMesh("bunny")}, {{"map", "96"}});
+    scene.Picture({});
 
     const Extent2D extent{96, 96};
     std::map<std::string, Texels> depths;
-    depths["effect"] = Download(*effect->Stages().at(0).image);
+    depths["effect"] = scene.Stage(0);
     depths["noise"] = RandomValues(extent, 72);
     for (const glm::vec4 noise : depths["noise"]) {
         depths["close"].emplace_back((60000 + std::floor(4 * noise.x)) / 65535);
@@ -142,34 +137,14 @@ struct Shadows {
     Texels picture, positions;
 };
 
-// One effect, drawn with other values: what it is made of need not be made again.
-class LampScene {
-public:
-    explicit LampScene(Extent2D extent, const Settings& fixed = {}) : m_fixed(fixed) {
-        m_effect = m_info.make(TestDevice(), {.extent = extent, .mesh = SampleMesh("bunny")}, ValuesOf({}));
-    }
+EffectPictures Scene(Extent2D extent, const Settings& fixed = {}) {
+    return {"soft-shadow", {.extent = extent, .mesh = SampleMesh("bunny")}, fixed};
+}
 
-    Shadows Draw(const Settings& settings, double timeSeconds = 0) {
-        const ParameterValues values = ValuesOf(settings);
-        CommandList commands(TestDevice());
-        const Image& picture = m_effect->Record(commands, {timeSeconds, values});
-        commands.SubmitAndWait();
-        return {Download(picture), Download(*m_effect->Stages().at(1).image)};
-    }
-
-private:
-    ParameterValues ValuesOf(const Settings& settings) const {
-        ParameterValues values(m_info.parameters);
-        for (const Settings& list : {m_fixed, settings})
-            for (const auto& [name, value] : list)
-                values.Set(name, value);
-        return values;
-    }
-
-    const EffectInfo& m_info = FindEffect("soft-shadow");
-    Settings m_fixed;
-    std::unique_ptr<Effect> m_effect;
-};
+Shadows Draw(EffectPictures& scene, const Settings& settings) {
+    Texels picture = scene.Picture(settings);
+    return {std::move(picture), scene.Stage(1)};
+}
 
 // The effect's lamp at time 0, and its three spheres of radius 0.25.
 const double kElevation = glm::radians(50.0), kAzimuth = 0.75;
@@ -219,9 +194,9 @@ double PenumbraWorld(const std::vector<GroundPixel>& ground, const glm::dvec3& s
 // The rim of a lamp of width L is L (r - b) / b wide, for a receiver r and a blocker b away. A cut of 0.2 leaves four
 // fifths of its ramp, and what is measured is 0.7 of that.
 TEST(SoftShadow, PenumbrasGrowWithTheLampAndWithTheDistanceFromWhatCastsThem) {
-    LampScene scene({480, 300});
+    EffectPictures scene = Scene({480, 300});
     for (const double lamp : {0.4, 0.8}) {
-        const auto ground = GroundOf(scene.Draw({{"light-size", fmt::format("{}", lamp)}}));
+        const auto ground = GroundOf(Draw(scene, {{"light-size", fmt::format("{}", lamp)}}));
         double before = 0;
         for (const glm::dvec3& sphere : kSpheres) {
             const double toSphere = glm::length(sphere - kLamp), toGround = glm::length(ShadowOf(sphere) - kLamp);
@@ -237,9 +212,9 @@ TEST(SoftShadow, PenumbrasGrowWithTheLampAndWithTheDistanceFromWhatCastsThem) {
 }
 
 TEST(SoftShadow, WhatSeesTheLampIsLitAndTheMiddleOfAShadowIsDark) {
-    LampScene scene({320, 200});
+    EffectPictures scene = Scene({320, 200});
     for (const char* cut : {"0", "0.2"}) {
-        const Shadows shadows = scene.Draw({{"light-size", "0.4"}, {"bleed-cut", cut}});
+        const Shadows shadows = Draw(scene, {{"light-size", "0.4"}, {"bleed-cut", cut}});
         size_t lit = 0, dark = 0;
         double least = 1, most = 0;
         for (const GroundPixel& pixel : GroundOf(shadows)) {
@@ -263,8 +238,8 @@ TEST(SoftShadow, WhatSeesTheLampIsLitAndTheMiddleOfAShadowIsDark) {
 
 // A lamp without size casts the shadows of single texels, but for a texel at their rims.
 TEST(SoftShadow, OfALampWithoutSizeIsHard) {
-    LampScene scene({320, 200});
-    const Shadows soft = scene.Draw({{"light-size", "0"}}), hard = scene.Draw({{"method", "hard"}});
+    EffectPictures scene = Scene({320, 200});
+    const Shadows soft = Draw(scene, {{"light-size", "0"}}), hard = Draw(scene, {{"method", "hard"}});
     size_t dark = 0, other = 0;
     for (size_t i = 0; i < soft.picture.size(); i++)
         if (soft.positions[i].w > 0 && std::abs(soft.positions[i].y) < 1e-4) {
@@ -277,11 +252,11 @@ TEST(SoftShadow, OfALampWithoutSizeIsHard) {
 
 TEST(SoftShadow, EverySizeMapAndMethodIsDrawnWithoutAMessage) {
     for (const Extent2D extent : {Extent2D{1, 1}, Extent2D{63, 37}}) {
-        LampScene scene(extent, {{"map", extent.widthTexels == 1 ? "64" : "200"}});
+        EffectPictures scene = Scene(extent, {{"map", extent.widthTexels == 1 ? "64" : "200"}});
         for (const char* method : {"variance", "hard"})
             for (const char* elevation : {"20", "85"})
                 for (const glm::vec4 texel :
-                     scene.Draw({{"method", method}, {"elevation", elevation}, {"light-size", "1.5"}}, 2.5).picture)
+                     scene.Picture({{"method", method}, {"elevation", elevation}, {"light-size", "1.5"}}, 2.5))
                     for (int c = 0; c < 4; c++)
                         ASSERT_TRUE(texel[c] >= 0 && texel[c] < 2) << method << ", " << elevation;
     }

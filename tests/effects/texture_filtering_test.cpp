@@ -19,13 +19,8 @@ namespace {
 constexpr Extent2D kExtent{240, 136};
 constexpr int kWidth = kExtent.widthTexels, kHeight = kExtent.heightTexels;
 
-Texels Picture(const Settings& settings) {
-    return PictureOf("texture-filtering", {.extent = kExtent}, settings);
-}
-
-Texels Picture(const std::string& scene, const std::string& filter, Settings more = {}) {
-    more.insert(more.end(), {{"scene", scene}, {"filter", filter}});
-    return Picture(more);
+EffectPictures Pictures(const Settings& fixed) {
+    return {"texture-filtering", {.extent = kExtent}, fixed};
 }
 
 size_t At(int x, int y) {
@@ -62,11 +57,11 @@ double Psnr(const Texels& picture, const Texels& reference, const std::vector<gl
     return -10 * std::log10(sum / static_cast<double>(pixels.size()));
 }
 
-std::map<std::string, double> PsnrOfFilters(const Settings& settings) {
-    const auto picture = [&](const std::string& filter) {
+std::map<std::string, double> PsnrOfFilters(EffectPictures& pictures, const Settings& settings) {
+    const auto picture = [&](const char* filter) {
         Settings all = settings;
         all.emplace_back("filter", filter);
-        return Picture(all);
+        return pictures.Picture(all);
     };
     const Texels reference = picture("reference");
     const auto pixels = CoveredPixels(picture("nearest"));
@@ -84,25 +79,26 @@ std::map<std::string, double> PsnrOfFilters(const Settings& settings) {
 
 // Mip maps of weighted means and 16 samples of plain ones are printed beside them: no order is claimed.
 TEST(TextureFiltering, TheTableComesNearestToManySamplesAPixelWhereTheTextureLiesUpright) {
+    EffectPictures pictures = Pictures({});
+    const std::pair<const char*, const char*> textures[] = {{"stripes", "8"}, {"stripes", "24"}, {"checks", "16"}};
     for (const char* scene : {"ellipsoid", "planes"})
-        for (const char* pattern : {"stripes", "checks"})
-            for (const char* repeats : {"8", "24"}) {
-                const Settings settings = {{"scene", scene}, {"pattern", pattern}, {"repeats", repeats}};
-                SCOPED_TRACE(fmt::format("{}, {}, {}", scene, pattern, repeats));
-                auto psnr = PsnrOfFilters(settings);
-                EXPECT_LT(psnr["nearest"], psnr["bilinear"]);
-                EXPECT_LT(psnr["bilinear"], psnr["mip"]);
-                EXPECT_LT(psnr["mip"] + 1.5, psnr["table"]);
-            }
+        for (const auto& [pattern, repeats] : textures) {
+            SCOPED_TRACE(fmt::format("{}, {}, {}", scene, pattern, repeats));
+            auto psnr = PsnrOfFilters(pictures, {{"scene", scene}, {"pattern", pattern}, {"repeats", repeats}});
+            EXPECT_LT(psnr["nearest"], psnr["bilinear"]);
+            EXPECT_LT(psnr["bilinear"], psnr["mip"]);
+            EXPECT_LT(psnr["mip"] + 1.5, psnr["table"]);
+        }
 }
 
 // Turned by 25 degrees, the upright rectangle is no longer what a pixel covers. The ellipsoid's stripes are
 // compressed along u nearly everywhere, for which a mip level is right: there the two are equal. On planes the table
 // still leads.
 TEST(TextureFiltering, ATurnedTextureCostsTheTableItsLeadOnTheEllipsoidButNotOnPlanes) {
+    EffectPictures pictures = Pictures({{"repeats", "8"}, {"roll", "25"}});
     for (const char* scene : {"ellipsoid", "planes"}) {
         SCOPED_TRACE(scene);
-        auto psnr = PsnrOfFilters({{"scene", scene}, {"repeats", "8"}, {"roll", "25"}});
+        auto psnr = PsnrOfFilters(pictures, {{"scene", scene}});
         EXPECT_LT(psnr["nearest"], psnr["bilinear"]);
         EXPECT_LT(psnr["bilinear"] + 10, psnr["table"]);
         if (std::string(scene) == "planes")
@@ -120,9 +116,10 @@ TEST(TextureFiltering, StripesBecomeGreyWhereTheyMeetAtAPole) {
     const glm::vec4 clip = ClipFromWorld(camera, kExtent) * glm::vec4(0, 1.2f, 0, 1);
     const glm::vec2 pole = (glm::vec2(clip.x, -clip.y) / clip.w * 0.5f + 0.5f) * glm::vec2(kWidth, kHeight);
     ASSERT_GT(pole.y, 8);
-    const auto covered = CoveredPixels(Picture("ellipsoid", "nearest"));
+    EffectPictures pictures = Pictures({{"scene", "ellipsoid"}, {"repeats", "64"}});
+    const auto covered = CoveredPixels(pictures.Picture({{"filter", "nearest"}}));
     const auto farthestFromGrey = [&](const char* filter) {
-        const Texels picture = Picture("ellipsoid", filter, {{"repeats", "64"}});
+        const Texels picture = pictures.Picture({{"filter", filter}});
         double farthest = 0;
         for (const glm::ivec2 p : covered)
             if (glm::length((glm::vec2(p) + 0.5f - pole) * glm::vec2(1, 2)) < 8)
@@ -148,7 +145,7 @@ constexpr double kCyclesPerUnitAndRepeat =
 // A box of n cycles of stripes is off from their mean by 1 / (4 n) at the most. Neighbouring rows share their
 // derivative, which may be half of its own for the nearest ones: 1 / (2 n).
 TEST(TextureFiltering, SeveralRepetitionsInAPixelTendToTheirMean) {
-    const Texels table = Picture("planes", "table", {{"repeats", "64"}});
+    const Texels table = Pictures({{"scene", "planes"}, {"filter", "table"}, {"repeats", "64"}}).Picture({});
     int rows = 0, beyondATexture = 0;
     for (int y = 1; y < kHeight / 2; y++) {
         const double k = kHeight / 2.0 - y - 0.5;
@@ -167,8 +164,9 @@ TEST(TextureFiltering, SeveralRepetitionsInAPixelTendToTheirMean) {
 // Stripes that run away from the eye are compressed along their length only, and stay two pixels wide and more where
 // a pixel is longer than many of them are wide.
 TEST(TextureFiltering, AMipMapBlursAcrossTheDirectionOfCompressionAndTheTableDoesNot) {
+    EffectPictures pictures = Pictures({{"scene", "planes"}, {"repeats", "16"}});
     const auto contrast = [&](const char* filter) {
-        const Texels picture = Picture("planes", filter, {{"repeats", "16"}});
+        const Texels picture = pictures.Picture({{"filter", filter}});
         double sum = 0;
         for (int k = 10; k < 15; k++) {
             double least = 1, most = 0;
@@ -191,8 +189,9 @@ TEST(TextureFiltering, AMipMapBlursAcrossTheDirectionOfCompressionAndTheTableDoe
 // Where a texel is larger than a pixel nothing is to be averaged, and the table is what a bilinear filter is. The
 // nearest rows of the floor are up to 4 units away, a row is 0.1 long there, and a texel 80 / (2.5 * 256) = 0.125.
 TEST(TextureFiltering, MagnifiedTheTableIsBilinear) {
-    const Settings few = {{"repeats", "1"}, {"pattern", "checks"}};
-    const Texels table = Picture("planes", "table", few), bilinear = Picture("planes", "bilinear", few);
+    EffectPictures pictures = Pictures({{"scene", "planes"}, {"repeats", "1"}, {"pattern", "checks"}});
+    const Texels table = pictures.Picture({{"filter", "table"}});
+    const Texels bilinear = pictures.Picture({{"filter", "bilinear"}});
     size_t between = 0;
     for (int y = kHeight - 25; y < kHeight; y++)
         for (int x = 0; x < kWidth; x++) {
@@ -207,14 +206,15 @@ TEST(TextureFiltering, OffsetsInCppEqualThoseInTheShaders) {
 }
 
 TEST(TextureFiltering, EverySizeAndFilterIsDrawnWithoutAMessage) {
-    for (const Extent2D extent : {Extent2D{1, 1}, Extent2D{63, 37}})
+    for (const Extent2D extent : {Extent2D{1, 1}, Extent2D{63, 37}}) {
+        EffectPictures pictures("texture-filtering", {.extent = extent});
         for (const char* scene : {"ellipsoid", "planes"})
             for (const char* filter :
                  {"nearest", "bilinear", "mip", "mip-filtered", "anisotropic", "table", "reference"})
-                for (const glm::vec4 texel :
-                     PictureOf("texture-filtering", {.extent = extent}, {{"scene", scene}, {"filter", filter}}, 1.5))
+                for (const glm::vec4 texel : pictures.Picture({{"scene", scene}, {"filter", filter}}, 1.5))
                     for (int c = 0; c < 4; c++)
                         ASSERT_TRUE(texel[c] >= 0 && texel[c] < 2) << scene << ", " << filter;
+    }
 }
 
 }  // namespace
