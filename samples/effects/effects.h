@@ -10,5 +10,7 @@ EffectInfo PhongEnvironmentInfo();
 EffectInfo ParaboloidDirectInfo();
 EffectInfo PlanarReflectionInfo();
 EffectInfo TranslucencyInfo();
+EffectInfo SoftShadowInfo();
+EffectInfo TextureFilteringInfo();
 
 }  // namespace boxcar

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <set>
 
-#include "tests/support/effect_run.h"
+#include "tests/effects/effect_pictures.h"
 #include "tests/support/expect_error.h"
 
 namespace boxcar {
@@ -29,8 +29,8 @@ class EveryEffect : public testing::TestWithParam<std::string> {};
 
 TEST_P(EveryEffect, IsFiniteAtEverySizeWithoutAValidationMessage) {
     for (const Extent2D extent : {Extent2D{1, 1}, Extent2D{63, 37}, Extent2D{1920, 1080}}) {
-        TestEffect effect(GetParam(), extent);
-        const Texels picture = effect.Picture(0.7);
+        EffectPictures effect(GetParam(), extent);
+        const Texels picture = effect.Picture({}, 0.7);
         ASSERT_EQ(picture.size(), extent.Texels());
         const auto wrong = std::ranges::find_if_not(picture, IsFinite);
         EXPECT_EQ(wrong, picture.end()) << extent.widthTexels << " x " << extent.heightTexels << ", texel "
@@ -40,11 +40,11 @@ TEST_P(EveryEffect, IsFiniteAtEverySizeWithoutAValidationMessage) {
 }
 
 TEST_P(EveryEffect, TheSameTimeIsTheSamePicture) {
-    TestEffect effect(GetParam(), {80, 50});
-    const Texels first = effect.Picture(1.25);
-    effect.Picture(7);
-    EXPECT_EQ(effect.Picture(1.25), first);
-    EXPECT_EQ(TestEffect(GetParam(), {80, 50}).Picture(1.25), first);
+    EffectPictures effect(GetParam(), {80, 50});
+    const Texels first = effect.Picture({}, 1.25);
+    effect.Picture({}, 7);
+    EXPECT_EQ(effect.Picture({}, 1.25), first);
+    EXPECT_EQ(EffectPictures(GetParam(), {80, 50}).Picture({}, 1.25), first);
 }
 
 // Every choice of every parameter, and both ends of every range.
@@ -56,8 +56,8 @@ TEST_P(EveryEffect, TakesEveryValueThatItSaysItTakes) {
             values.emplace_back(choice);
         if (values.empty()) values = {fmt::format("{}", parameter.minimum), fmt::format("{}", parameter.maximum)};
         for (const std::string& value : values) {
-            TestEffect effect(info.name, {48, 30}, {{std::string(parameter.name), value}});
-            const Texels picture = effect.Picture(0.3);
+            EffectPictures effect(info.name, {48, 30}, {{std::string(parameter.name), value}});
+            const Texels picture = effect.Picture({}, 0.3);
             EXPECT_TRUE(std::ranges::all_of(picture, IsFinite)) << parameter.name << "=" << value;
         }
     }
@@ -73,11 +73,11 @@ uint64_t ResidentBytes() {
 TEST_P(EveryEffect, KeepsItsMemoryOverManyFrames) {
     if (!std::getenv("BOXCAR_LONG_TESTS") && GetParam() != "planar-reflection")
         GTEST_SKIP() << "300 frames: tools/run test --long";
-    TestEffect effect(GetParam(), {320, 200});
+    EffectPictures effect(GetParam(), {320, 200});
     uint64_t atFrame50 = 0;
     for (int frame = 0; frame < 300; frame++) {
         if (frame == 50) atFrame50 = ResidentBytes();
-        effect.Picture(frame / 30.0);
+        effect.Picture({}, frame / 30.0);
     }
     EXPECT_LE(static_cast<double>(ResidentBytes()), 1.02 * static_cast<double>(atFrame50));
 }

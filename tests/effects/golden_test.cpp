@@ -9,8 +9,8 @@
 #include <fstream>
 
 #include "samples/files/color.h"
+#include "tests/effects/effect_pictures.h"
 #include "tests/support/compare_pictures.h"
-#include "tests/support/effect_run.h"
 
 namespace boxcar {
 namespace {
@@ -47,7 +47,7 @@ class Golden : public testing::TestWithParam<std::string> {};
 
 TEST_P(Golden, IsWhatItWas) {
     const std::string path = std::string(BOXCAR_GOLDENS "/") + GetParam() + ".png";
-    const Picture picture = Shown(TestEffect(GetParam(), kExtent).Picture(0.5));
+    const Picture picture = Shown(EffectPictures(GetParam(), kExtent).Picture({}, 0.5));
     if (IsBlessing()) {
         ASSERT_EQ(TestDevice().Info().kind, "CPU") << "goldens are made on lavapipe";
         WritePicture(picture, path, FileFormat::Png, SampleType::Unorm8);

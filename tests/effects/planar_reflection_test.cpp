@@ -6,7 +6,7 @@
 
 #include "passes_shaders.h"
 #include "test_support_shaders.h"
-#include "tests/support/effect_run.h"
+#include "tests/effects/effect_pictures.h"
 
 namespace boxcar {
 namespace {
@@ -19,11 +19,10 @@ float LargestDifference(const glm::vec4& a, const glm::vec4& b) {
 }
 
 TEST(PlanarReflection, IsTheSharpOneAtTheContact) {
-    TestEffect effect("planar-reflection", kExtent, {{"mirror", "1"}});
+    EffectPictures effect("planar-reflection", kExtent, {{"mirror", "1"}});
     const Texels glossy = effect.Picture();
     const Texels reflected = effect.Stage("reflected");
-    effect.Set("roughness", "0");
-    const Texels sharp = effect.Picture();
+    const Texels sharp = effect.Picture({{"roughness", "0"}});
     size_t contact = 0;
     float largestElsewhere = 0;
     for (size_t i = 0; i < glossy.size(); i++) {
@@ -41,7 +40,7 @@ TEST(PlanarReflection, IsTheSharpOneAtTheContact) {
 
 // A mirror shows the mirrored scene texel for texel. (Where objects stand before the floor it shows them.)
 TEST(PlanarReflection, OfAMirrorIsTheMirroredScene) {
-    TestEffect effect("planar-reflection", kExtent, {{"mirror", "1"}, {"roughness", "0"}});
+    EffectPictures effect("planar-reflection", kExtent, {{"mirror", "1"}, {"roughness", "0"}});
     const Texels picture = effect.Picture(), reflected = effect.Stage("reflected");
     size_t onObjects = 0, same = 0;
     for (size_t i = 0; i < picture.size(); i++) {
@@ -90,23 +89,20 @@ double Roughness(const Texels& picture) {
 }
 
 TEST(Translucency, MoreEtchingShowsLessOfWhatIsBehind) {
-    TestEffect effect("translucency", kExtent, {{"etching", "0"}, {"bending", "0"}});
-    double before = Roughness(effect.Picture());
+    EffectPictures effect("translucency", kExtent, {{"bending", "0"}});
+    double before = Roughness(effect.Picture({{"etching", "0"}}));
     for (const char* etching : {"0.05", "0.15", "0.5"}) {
-        effect.Set("etching", etching);
-        const double now = Roughness(effect.Picture());
+        const double now = Roughness(effect.Picture({{"etching", etching}}));
         EXPECT_LT(now, before) << etching;
         before = now;
     }
 }
 
 TEST(Translucency, GlassWithoutThicknessLeavesThePictureAsItIs) {
-    TestEffect effect("translucency", kExtent);
+    EffectPictures effect("translucency", kExtent);
     const Texels picture = effect.Picture();
     const Texels farSide = effect.Stage("far side");
-    effect.Set("etching", "1");
-    effect.Set("bending", "1");
-    const Texels other = effect.Picture();
+    const Texels other = effect.Picture({{"etching", "1"}, {"bending", "1"}});
     size_t outside = 0, inside = 0;
     for (size_t i = 0; i < picture.size(); i++) {
         if (i < 40 * 320) {  // above all glass
@@ -123,7 +119,7 @@ TEST(Translucency, GlassWithoutThicknessLeavesThePictureAsItIs) {
 TEST(ParaboloidDirect, SubdivisionCuresTheStraightLines) {
     double before = 0;
     for (const char* subdivisions : {"0", "1", "2", "3", "4"}) {
-        TestEffect effect("paraboloid-direct", {64, 32}, {{"subdivisions", subdivisions}, {"face", "128"}});
+        EffectPictures effect("paraboloid-direct", {64, 32}, {{"subdivisions", subdivisions}, {"face", "128"}});
         effect.Picture();
         const Texels direct = effect.Stage("front, direct"), viaCube = effect.Stage("front, cube");
         double wrong = 0, all = 0;
