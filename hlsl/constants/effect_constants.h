@@ -15,6 +15,24 @@ struct LensConstants {
     float largestTexels;   // the width that the map's 1 stands for
 };
 
+// texture_pattern.ps
+struct TexturePatternConstants {
+    float2 cells;  // black and white ones along the texture's sides
+};
+
+// soft_shadow.ps
+struct SoftShadowConstants {
+    float4x4 clipFromWorld;  // of the lamp
+    float3 lampWorld;
+    float nearWorld;  // from the lamp to where its map's depth is 0
+    float reachWorld;  // and from there to 1
+    float lampSizeWorld;
+    float texelsAtOne;  // of the map, in one unit of width one unit away from the lamp
+    float bleedCut;     // shares of light below become 0
+    float3 skyLight;
+    float unused;
+};
+
 // lens_layer.ps: one layer of depth. Its knot, and those of the layer behind it and of the three before it, are
 // signed squares of circles of confusion.
 struct LensLayerConstants {

@@ -6,10 +6,11 @@
 #include "constants/dp_constants.h"
 #include "shaders/quad_io.hlsli"
 
-BOXCAR_CONSTANTS(Constants) { DPFaceConstants g; };
 TextureCube<float4> cube : register(t0);
 #if LOOKUP
 Texture2D<float4> directions : register(t1);
+#else
+BOXCAR_CONSTANTS(Constants) { DPFaceConstants g; };
 #endif
 SamplerState linearClamp : register(s0);
 

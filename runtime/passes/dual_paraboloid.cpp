@@ -53,8 +53,7 @@ DualParaboloidFaces DualParaboloid::Record(CommandList& commands, const Image& c
         Pass pass{.name = kFaceNames[face],
                   .pipeline = m_pipeline,
                   .reads = {{"cube", &cube}},
-                  .writes = {&m_faces[face]},
-                  .constants = ConstantBytes(constants)};
+                  .writes = {&m_faces[face]}};
         if (m_drawDirections) {
             if (!m_hasDirections)
                 commands.Draw({.name = "directions",
@@ -62,6 +61,8 @@ DualParaboloidFaces DualParaboloid::Record(CommandList& commands, const Image& c
                                .writes = {&m_directions[face]},
                                .constants = ConstantBytes(constants)});
             pass.reads.push_back({"directions", &m_directions[face]});
+        } else {
+            pass.constants = ConstantBytes(constants);
         }
         commands.Draw(pass);
     }

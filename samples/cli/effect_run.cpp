@@ -32,7 +32,7 @@ Environment ReadEnvironment(const std::string& name) {
 }
 
 EffectInputs InputsOf(const EffectInfo& info, const EffectOptions& options) {
-    EffectInputs inputs{.extent = ParseExtent(options.extent)};
+    EffectInputs inputs;
     if (!options.environment.empty() && !info.takesEnvironment)
         throw UsageError("--env {}: {} has no use for it", options.environment, info.name);
     if (!options.mesh.empty() && !info.takesMesh)
@@ -51,6 +51,18 @@ ParameterValues ValuesOf(const EffectInfo& info, const std::vector<Setting>& set
     for (const Setting& setting : settings)
         values.Set(setting.name, setting.value);
     return values;
+}
+
+// The mean of `side` x `side` samples for each texel of `extent`.
+std::vector<glm::vec4> Means(const std::vector<glm::vec4>& samples, Extent2D extent, uint32_t side) {
+    if (side == 1) return samples;
+    std::vector<glm::vec4> means(extent.Texels(), glm::vec4(0));
+    const size_t row = size_t{extent.widthTexels} * side;
+    for (size_t i = 0; i < samples.size(); i++)
+        means[i / row / side * extent.widthTexels + i % row / side] += samples[i];
+    for (glm::vec4& mean : means)
+        mean /= static_cast<float>(side * side);
+    return means;
 }
 
 float Shown(float light) {
@@ -75,6 +87,13 @@ void AddEffectOptions(CLI::App& command, EffectOptions& options) {
     AddDeviceOptions(command, options.device);
 }
 
+void AddSamplesOption(CLI::App& command, EffectOptions& options) {
+    command
+        .add_option("--samples", options.samples,
+                    "Samples along each side of a pixel: 1 (default) to 8; more smooth the edges")
+        ->type_name("N");
+}
+
 Setting ParseSetting(const std::string& text) {
     const size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0) throw UsageError("--set {}: expected NAME=VALUE", text);
@@ -91,28 +110,28 @@ std::vector<Setting> SettingsOf(const EffectOptions& options) {
 EffectRun::EffectRun(Device& device, const EffectOptions& options, const std::vector<Setting>& settings)
     : m_device(device),
       m_info(FindEffect(options.effect)),
+      m_extent(ParseExtent(options.extent)),
+      m_samples(options.samples),
       m_inputs(InputsOf(m_info, options)),
-      m_values(ValuesOf(m_info, settings)),
-      m_effect(m_info.make(device, m_inputs, m_values)) {
+      m_values(ValuesOf(m_info, settings)) {
     if (!std::isfinite(options.timeSeconds)) throw UsageError("--time {}: expected seconds", options.timeSeconds);
+    if (m_samples < 1 || m_samples > 8) throw UsageError("--samples {}: expected 1 to 8", m_samples);
+    m_inputs.extent = {m_samples * m_extent.widthTexels, m_samples * m_extent.heightTexels};
+    m_effect = m_info.make(device, m_inputs, m_values);
 }
 
-std::vector<glm::vec4> EffectRun::Render(double timeSeconds, std::vector<PassTime>* passes) {
+Picture EffectRun::Render(double timeSeconds, SampleType sampleType, std::vector<PassTime>* passes) {
     CommandList commands(m_device, passes ? CommandList::Timing::On : CommandList::Timing::Off);
-    const Image& picture = m_effect->Record(commands, {timeSeconds, m_values});
+    const Image& image = m_effect->Record(commands, {timeSeconds, m_values});
     commands.SubmitAndWait();
     if (passes) *passes = commands.PassTimes();
-    std::vector<glm::vec4> texels = Download<glm::vec4>(m_device, picture);
-    RequireFiniteSums(texels, std::string(m_info.name));
-    return texels;
-}
-
-Picture ShownPicture(std::vector<glm::vec4> texels, Extent2D extent, const EffectInfo& info, SampleType sampleType) {
-    if (info.isHighRange && sampleType != SampleType::Float32)
-        for (glm::vec4& texel : texels)
-            texel = {Shown(texel.x), Shown(texel.y), Shown(texel.z), texel.w};
-    const Picture like{extent.widthTexels, extent.heightTexels, 3, SampleType::Float32, {}};
-    return FromLight(texels, like, Transfer::Srgb, sampleType);
+    std::vector<glm::vec4> samples = Download<glm::vec4>(m_device, image);
+    RequireFiniteSums(samples, std::string(m_info.name));
+    if (m_info.isHighRange && sampleType != SampleType::Float32)
+        for (glm::vec4& sample : samples)
+            sample = {Shown(sample.x), Shown(sample.y), Shown(sample.z), sample.w};
+    const Picture like{m_extent.widthTexels, m_extent.heightTexels, 3, SampleType::Float32, {}};
+    return FromLight(Means(samples, m_extent, m_samples), like, Transfer::Srgb, sampleType);
 }
 
 }  // namespace boxcar

@@ -19,10 +19,12 @@ struct EffectOptions {
     std::vector<std::string> sets;  // NAME=VALUE
     std::string environment;        // a file, or one of ours
     std::string mesh;
+    uint32_t samples = 1;  // along each side of a pixel
     DeviceOptions device;
 };
 
 void AddEffectOptions(CLI::App& command, EffectOptions& options);
+void AddSamplesOption(CLI::App& command, EffectOptions& options);
 
 // NAME=VALUE apart. Throws UsageError.
 struct Setting {
@@ -38,16 +40,22 @@ public:
     // an environment that cannot be read; what the device cannot do.
     EffectRun(Device& device, const EffectOptions& options, const std::vector<Setting>& settings);
 
-    // The picture, linear light. `passes`: how long they took, if asked for.
-    std::vector<glm::vec4> Render(double timeSeconds, std::vector<PassTime>* passes = nullptr);
+    // The picture for a file of samples of such a type: the mean of the samples of each pixel. Floats hold light; for
+    // integers what goes beyond 0.7 is bent so that it stays below 1, where the effect has such light, and all is
+    // sRGB.
+    //
+    //   passes  how long they took, if asked for
+    Picture Render(double timeSeconds, SampleType sampleType, std::vector<PassTime>* passes = nullptr);
 
     const EffectInfo& Info() const { return m_info; }
-    Extent2D Extent() const { return m_inputs.extent; }
+    Extent2D Extent() const { return m_extent; }
     const std::vector<EffectStage>& Stages() const { return m_effect->Stages(); }
 
 private:
     Device& m_device;
     const EffectInfo& m_info;
+    Extent2D m_extent;
+    uint32_t m_samples;
     EffectInputs m_inputs;
     ParameterValues m_values;
     std::unique_ptr<Effect> m_effect;
@@ -55,9 +63,5 @@ private:
 
 // The settings of a command line. Throws UsageError.
 std::vector<Setting> SettingsOf(const EffectOptions& options);
-
-// A picture of light for a file of integers: what goes beyond 0.7 is bent so that it stays below 1, where `info` says
-// that there is such light; then sRGB.
-Picture ShownPicture(std::vector<glm::vec4> texels, Extent2D extent, const EffectInfo& info, SampleType sampleType);
 
 }  // namespace boxcar

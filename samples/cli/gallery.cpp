@@ -13,6 +13,7 @@
 #include "samples/cli/codes.h"
 #include "samples/cli/device_run.h"
 #include "samples/cli/disparity.h"
+#include "samples/cli/effect_figures.h"
 #include "samples/cli/gallery_page.h"
 #include "samples/cli/light.h"
 #include "samples/cli/precision/figures.h"
@@ -58,6 +59,7 @@ public:
     void LensOnAPhotograph();
     void LinearLightAndCodes();
     void HdrEnvironment();
+    void SceneEffects() { AddEffectSections(m_device, m_folder, m_sections); }
     void Precision() { AddPrecisionSections(m_device, m_folder, m_fruits.picture, m_sections); }
 
     const std::vector<GallerySection>& Sections() const { return m_sections; }
@@ -434,6 +436,7 @@ void MakeGallery(const std::string& folder, const DeviceOptions& deviceOptions) 
                                                 &Gallery::LensOnAPhotograph,
                                                 &Gallery::LinearLightAndCodes,
                                                 &Gallery::HdrEnvironment,
+                                                &Gallery::SceneEffects,
                                                 &Gallery::Precision};
     const bool terminal = isatty(STDERR_FILENO);
     for (size_t i = 0; i < std::size(kSections); i++) {

@@ -50,8 +50,8 @@ void Render(const RenderOptions& options) {
                     .output = options.frames > 1 ? FrameName(job.output, frame) : job.output,
                     .extent = run.Extent()};
         const double time = options.timeSeconds + frame * kSecondsPerFrame;
-        const std::vector<glm::vec4> texels = run.Render(time, options.stats ? &stats.passes : nullptr);
-        WritePicture(ShownPicture(texels, run.Extent(), info, sampleType), stats.output, job.format, sampleType);
+        const Picture picture = run.Render(time, sampleType, options.stats ? &stats.passes : nullptr);
+        WritePicture(picture, stats.output, job.format, sampleType);
         stats.deviceBytes = device->MemoryBytes();
         if (options.stats) PrintStats(stats, device->Info());
     }
@@ -126,6 +126,7 @@ void AddRenderCommand(CLI::App& app) {
         "  boxcar render planar-reflection -o floor.png\n"
         "  boxcar render planar-reflection --set roughness=0.3 --mesh teapot --size 1280x720 -o floor.png");
     AddEffectOptions(command, *options);
+    AddSamplesOption(command, *options);
     command.add_option("-o,--output", options->output, "File, folder/ or - for standard output")
         ->required()
         ->type_name("OUT");

@@ -129,8 +129,7 @@ void Sweep(const SweepOptions& options) {
                                      rows, width, height);
                 sheet = std::make_unique<ContactSheet>(run.Extent(), columns, rows);
             }
-            const std::vector<glm::vec4> texels = run.Render(options.timeSeconds);
-            sheet->Add(ShownPicture(texels, run.Extent(), run.Info(), SampleType::Unorm8), column, row, label);
+            sheet->Add(run.Render(options.timeSeconds, SampleType::Unorm8), column, row, label);
         }
     if (terminal) fmt::print(stderr, "\r\033[K");
     WritePicture(sheet->Finished(), job.output, job.format, SampleTypeFor(job.format, SampleType::Unorm8));
@@ -146,6 +145,7 @@ void AddSweepCommand(CLI::App& app) {
         "A list in --set makes a row of pictures; two lists make columns and rows.\n\n"
         "Example:\n  boxcar sweep planar-reflection --set roughness=0.02,0.1,0.4 --size 320x200 -o contact.png");
     AddEffectOptions(command, *options);
+    AddSamplesOption(command, *options);
     command.add_option("-o,--output", options->output, "The sheet")->required()->type_name("OUT");
     command.callback([options] { Sweep(*options); });
 }

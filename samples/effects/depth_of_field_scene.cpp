@@ -104,13 +104,19 @@ glm::mat4 ClipFromLens(const Camera& camera, Extent2D extent, glm::vec2 pointWor
     return ClipFromView(camera, extent) * shear * ViewFromWorld(camera);
 }
 
+// The largest circle of confusion; larger ones become this.
+float LargestTexels(Extent2D extent) {
+    return std::max(127.0f, 0.3f * static_cast<float>(extent.heightTexels));
+}
+
 // One table of the whole picture.
 class SingleTable {
 public:
     SingleTable(Device& device, Extent2D extent, uint32_t boxes)
-        : m_widths(device, extent, LayeredDepthOfFieldDesc().largestTexels),
-          m_table(device, {.extent = extent, .codes = kLensCodes}),
-          m_filter(device, {.extent = extent, .precision = SATPrecision::U32, .boxes = boxes, .codes = kLensCodes}) {}
+        : m_precision(SATExactPrecision(glm::vec2(LargestTexels(extent)), 1, false, kLensCodes)),
+          m_widths(device, extent, LargestTexels(extent)),
+          m_table(device, {.extent = extent, .precision = m_precision, .codes = kLensCodes}),
+          m_filter(device, {.extent = extent, .precision = m_precision, .boxes = boxes, .codes = kLensCodes}) {}
 
     const Image& Record(CommandList& commands, const Image& nearest, const Lens& lens) {
         const SATWidths widths = m_widths.Record(commands, nearest, lens);
@@ -118,6 +124,7 @@ public:
     }
 
 private:
+    SATPrecision m_precision;
     LensWidths m_widths;
     ExactTable m_table;
     SATFilter m_filter;
@@ -209,7 +216,9 @@ public:
         if (method == "layered") {
             m_drawHidden.emplace(device, LensShaders(1));
             m_hidden.emplace(device, ImageDesc{inputs.extent, Format::RGBA32F, "hidden"});
-            m_layered.emplace(device, LayeredDepthOfFieldDesc{.extent = inputs.extent, .boxes = boxes});
+            m_layered.emplace(
+                device, LayeredDepthOfFieldDesc{
+                            .extent = inputs.extent, .boxes = boxes, .largestTexels = LargestTexels(inputs.extent)});
         }
         if (method == "single") m_single.emplace(device, inputs.extent, boxes);
         if (method == "mips" || method == "noise") m_mips.emplace(device, inputs.extent);

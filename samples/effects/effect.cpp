@@ -78,8 +78,8 @@ const Image& Effect::AddStage(std::string name, const Image& image) {
 
 std::span<const EffectInfo> Effects() {
     static const EffectInfo kEffects[] = {
-        GlossyEnvironmentInfo(), PhongEnvironmentInfo(), ParaboloidDirectInfo(),
-        PlanarReflectionInfo(),  TranslucencyInfo(),     DepthOfFieldInfo(),
+        GlossyEnvironmentInfo(), PhongEnvironmentInfo(), ParaboloidDirectInfo(), PlanarReflectionInfo(),
+        TranslucencyInfo(),      SoftShadowInfo(),       TextureFilteringInfo(), DepthOfFieldInfo(),
     };
     return kEffects;
 }

@@ -10,6 +10,8 @@ EffectInfo PhongEnvironmentInfo();
 EffectInfo ParaboloidDirectInfo();
 EffectInfo PlanarReflectionInfo();
 EffectInfo TranslucencyInfo();
+EffectInfo SoftShadowInfo();
+EffectInfo TextureFilteringInfo();
 EffectInfo DepthOfFieldInfo();
 
 }  // namespace boxcar

@@ -19,6 +19,11 @@ PipelineDesc QuadShaders(const std::string& pixel) {
     return {.vertex = passes_shaders::Find("shaders/quad.vs"), .pixel = passes_shaders::Find(pixel)};
 }
 
+glm::vec2 LargestBoxTexels(const LayeredDepthOfFieldDesc& desc) {
+    const auto boxes = static_cast<float>(desc.boxes);
+    return {std::ceil(desc.largestTexels), std::ceil(desc.largestTexels / boxes) + 1};  // edges are rounded
+}
+
 // Diameters of the circles that the layers on one side of the focus stand for, from the sharp one on: each wider than
 // the one before by the same factor, as nearly as odd whole numbers are. Those have whole rows round a texel's
 // middle.
@@ -35,7 +40,7 @@ std::vector<float> Diameters(float largestTexels, int layers) {
 
 LayeredDepthOfField::LayeredDepthOfField(Device& device, const LayeredDepthOfFieldDesc& desc)
     : m_desc(desc),
-      m_precision(SATExactPrecision(glm::vec2(desc.largestTexels), 1, true, kLensCodes)),
+      m_precision(SATExactPrecision(LargestBoxTexels(desc), 1, true, kLensCodes)),
       m_take(device, QuadShaders("shaders/lens_layer.ps")),
       m_over(device, QuadShaders(fmt::format("shaders/lens_over.ps.WORDS={}", WordsOf(m_precision)))),
       m_layer(device, {desc.extent, Format::RGBA32F, "layer"}),

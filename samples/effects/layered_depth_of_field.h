@@ -29,7 +29,7 @@ struct LayeredDepthOfFieldDesc {
     Extent2D extent = {};       // texels
     uint32_t boxes = 8;         // of equal height, that stand for a circle
     uint32_t sides = 0;         // of an aperture with so many blades, 3 to 16; 0: round
-    float largestTexels = 127;  // the largest circle; larger ones become this. Up to 127 the tables have one word
+    float largestTexels = 127;  // the largest circle; larger ones become this
 };
 
 // Device memory: that of ExactTable and 48 bytes a texel. Move-only. Not thread-safe.

@@ -27,6 +27,14 @@ struct PlaneConstants {
     int2 extentTexels;
 };
 
+// dp_sample.ps
+struct DPSampleConstants {
+    float widthTexels;  // sigma for STACK
+    float codeScale;
+    int largestTexels;
+    int boxes;
+};
+
 // mesh.vs, mesh.ps
 struct MeshConstants {
     float4x4 clipFromMesh;

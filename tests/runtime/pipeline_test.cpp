@@ -58,7 +58,7 @@ TEST(Pipeline, RefusesASamplerWhoseNameSaysNothing) {
         WithLayout(passes_shaders::Find("shaders/sat_pass.ps.TAPS=2"), json, "nearestBorder", "fancy");
     EXPECT_ERROR(Pipeline(TestDevice(), {passes_shaders::Find("shaders/sat_pass.vs.TAPS=2"), shader}),
                  "shader shaders/sat_pass.ps.TAPS=2: sampler 'fancy' is none of "
-                 "{nearest|linear}{Border|Clamp|Repeat|Mirror}");
+                 "{nearest|linear|anisotropic}{Border|Clamp|Repeat|Mirror}");
 }
 
 TEST(Pipeline, RefusesShadersThatDoNotLink) {

@@ -1,0 +1,21 @@
+// textured.hlsli: things with nothing but a repeated texture and light on them.
+#ifndef BOXCAR_TEXTURED_HLSLI
+#define BOXCAR_TEXTURED_HLSLI
+
+#include "shaders/scene.hlsli"
+#include "shaders/scene_io.hlsli"
+
+// TexturedUv: the texture coordinate; g.optionA and g.optionB: how often the texture lies along u and v of the mesh.
+float2 TexturedUv(SceneVertex i)
+{
+    return i.uv * float2(g.optionA, g.optionB);
+}
+
+// TexturedLight: the picture's texel for a texture's value. Alpha: the light that white would give off, in green.
+float4 TexturedLight(SceneVertex i, float4 value)
+{
+    float3 light = SceneLight(normalize(i.normalWorld), 1.0);
+    return float4(light * value.rgb, light.g);
+}
+
+#endif

@@ -1,0 +1,17 @@
+// The gallery's pages on the effects.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "samples/cli/gallery_page.h"
+
+namespace boxcar {
+
+class Device;
+
+// Writes a picture of each figure into `folder` and appends their sections. Captions tell the time of a frame on this
+// device and what a pixel of the effect reads.
+void AddEffectSections(Device& device, const std::filesystem::path& folder, std::vector<GallerySection>& sections);
+
+}  // namespace boxcar

@@ -1,0 +1,32 @@
+// The structs that C++ and HLSL share have the same offsets in both.
+#include <gtest/gtest.h>
+
+#include "hlsl/constants/dp_constants.h"
+#include "hlsl/constants/sat_constants.h"
+#include "hlsl/constants/scene_constants.h"
+#include "tests/support/offsets.h"
+
+namespace boxcar {
+namespace {
+
+TEST(EffectConstants, OffsetsInCppEqualThoseInTheShaders) {
+    const Offsets scene = {OFFSET(SceneConstants, clipFromWorld), OFFSET(SceneConstants, offsetWorld),
+                           OFFSET(SceneConstants, scale),         OFFSET(SceneConstants, turn),
+                           OFFSET(SceneConstants, checkWorld),    OFFSET(SceneConstants, optionA),
+                           OFFSET(SceneConstants, albedo),        OFFSET(SceneConstants, optionB),
+                           OFFSET(SceneConstants, eyeWorld),      OFFSET(SceneConstants, optionC)};
+    const Offsets backdrop = {OFFSET(BackdropConstants, rightWorld),   OFFSET(BackdropConstants, unused0),
+                              OFFSET(BackdropConstants, upWorld),      OFFSET(BackdropConstants, unused1),
+                              OFFSET(BackdropConstants, forwardWorld), OFFSET(BackdropConstants, unused2)};
+    const Offsets face = {OFFSET(DPFaceConstants, face), OFFSET(DPFaceConstants, sideTexels),
+                          OFFSET(DPFaceConstants, codeScale), OFFSET(DPFaceConstants, largestLight)};
+    const Offsets encode = {OFFSET(SATEncodeConstants, scale), OFFSET(SATEncodeConstants, largest)};
+    EXPECT_EQ(OffsetsIn("shaders/planar_floor.ps.WORDS=1"), scene);
+    EXPECT_EQ(OffsetsIn("shaders/scene.vs"), scene);
+    EXPECT_EQ(OffsetsIn("shaders/environment.ps"), backdrop);
+    EXPECT_EQ(OffsetsIn("shaders/dp_encode.ps"), face);
+    EXPECT_EQ(OffsetsIn("shaders/sat_encode.ps.WORDS=2"), encode);
+}
+
+}  // namespace
+}  // namespace boxcar
