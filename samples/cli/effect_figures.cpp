@@ -68,6 +68,18 @@ const EffectFigure kFigures[] = {
     {"planar-reflection", "Three times as rough.", "17", {{"roughness", "0.36"}}, "", "teapot"},
     {"translucency", "Three objects, each over a table of what is behind it.", "17"},
     {"translucency", "Etched more.", "17", {{"etching", "0.3"}}, "", "teapot"},
+    {"depth-of-field", "Seven layers of depth on either side of the focus.", "at most 480", {{"lens", "0.4"}}},
+    {"depth-of-field",
+     "One table of the picture: the sharp bunny glows into the background, near things have hard rims.",
+     "128",
+     {{"lens", "0.4"}, {"method", "single"}}},
+    {"depth-of-field", "A mip map.", "8", {{"lens", "0.4"}, {"method", "mips"}}},
+    {"depth-of-field",
+     "A mip map looked up at random places round the pixel: noise instead of blocks.",
+     "8",
+     {{"lens", "0.4"}, {"method", "noise"}}},
+    {"depth-of-field", "256 views from all over the lens.", "256", {{"lens", "0.4"}, {"method", "accumulation"}}},
+    {"depth-of-field", "In layers, focused behind.", "at most 480", {{"lens", "0.4"}, {"focus", "12"}}},
 };
 
 double Milliseconds(const std::vector<PassTime>& passes) {
