@@ -8,14 +8,17 @@
 #include "samples/cli/device_run.h"
 #include "samples/cli/disparity.h"
 #include "samples/cli/light.h"
-#include "samples/effects/depth_of_field.h"
+#include "samples/effects/layered_depth_of_field.h"
 
 namespace boxcar {
 namespace {
 
+constexpr int kLayersPerSide = 8;
+
 struct DofOptions : BatchOptions {
     std::string depth;
     std::string depthIs = "disparity";
+    std::string method = "single";
     double focus = -1;
     double aperture = -1;
     DiscOptions disc;
@@ -32,7 +35,7 @@ void RequirePossible(const DofOptions& options) {
         throw UsageError("--aperture {:g}: expected texels, 0 to {:.0f}", options.aperture, kMaxSizeTexels);
 }
 
-// Disparity of every texel, in red.
+// Disparity of every texel, in alpha.
 std::vector<glm::vec4> ReadDisparity(const Picture& picture, const Device& device, const DofOptions& options) {
     const Picture depth = ReadBeside(picture, options.depth, "depth", device, options.read);
     std::vector<float> disparity;
@@ -45,30 +48,38 @@ std::vector<glm::vec4> ReadDisparity(const Picture& picture, const Device& devic
     FillUnknown(disparity, {depth.widthTexels, depth.heightTexels});
     std::vector<glm::vec4> texels;
     for (const float value : disparity)
-        texels.emplace_back(value, 0, 0, 0);
+        texels.emplace_back(0, 0, 0, value);
     return texels;
 }
 
-Stats Focus(Device& device, const Job& job, const DofOptions& options) {
-    const Picture picture = ReadForDevice(job.input, device, options.read);
-    RequireWritable(job.output, job.format, picture.channels);
-    const Transfer transfer = TransferFor(picture, options.read);
-    const Extent2D extent{picture.widthTexels, picture.heightTexels};
-    const std::vector<glm::vec4> depth = ReadDisparity(picture, device, options);
+// A picture with what stands in every method.
+struct Photograph {
+    const Picture& picture;
+    const std::string& name;
+    Transfer transfer;
+    Extent2D extent;
+    std::vector<glm::vec4> depth;
+    Lens lens;
+    float largestTexels;  // circle of confusion
+};
 
-    float largestDifference = 0;
-    for (const glm::vec4& texel : depth)
-        largestDifference = std::max(largestDifference, std::abs(texel.r - static_cast<float>(options.focus)));
-    const Lens lens{static_cast<float>(options.focus), static_cast<float>(options.aperture)};
+struct Focused {
+    std::vector<glm::vec4> texels;
+    SATPrecision precision;
+    std::vector<PassTime> passes;
+};
+
+Focused FocusByOneTable(Device& device, const Photograph& photograph, const DofOptions& options) {
+    const auto& [picture, name, transfer, extent, depth, lens, largestTexels] = photograph;
     DepthOfFieldDesc desc{.extent = extent,
                           .taps = Taps(options.read),
                           .boxes = options.disc.Boxes(),
                           .sides = options.disc.Sides(),
-                          .largestTexels = std::clamp(lens.apertureTexels * largestDifference, 1.0f, kMaxSizeTexels)};
+                          .largestTexels = largestTexels};
     UploadedWords words;
     if (picture.stored == SampleType::Unorm8) {
         // 16 bits of linear light are enough for 8 of sRGB, and are summed without a rounding.
-        desc.codes = CodesFor(picture, job.input, transfer, SATPrecision::U32);
+        desc.codes = CodesFor(picture, name, transfer, SATPrecision::U32);
         desc.precision = SATExactPrecision(glm::vec2(desc.largestTexels), 1, false, desc.codes);
         words = UploadCodes(device, picture, transfer, desc.precision, 0, extent.heightTexels);
     } else {
@@ -82,17 +93,63 @@ Stats Focus(Device& device, const Job& job, const DofOptions& options) {
     CommandList commands(device, CommandList::Timing::On);
     const Image& result = effect.Record(commands, words, disparity, lens);
     commands.SubmitAndWait();
+    return {Download<glm::vec4>(device, result), desc.precision, commands.PassTimes()};
+}
 
-    const std::vector<glm::vec4> texels = Download<glm::vec4>(device, result);
-    RequireFiniteSums(texels, job.input);
+Focused FocusByLayers(Device& device, const Photograph& photograph, const DofOptions& options) {
+    const auto& [picture, name, transfer, extent, depth, lens, largestTexels] = photograph;
+    if (picture.channels == 2 || picture.channels == 4)
+        throw Error("{}: {} channels; --method layered takes pictures without alpha", name, picture.channels);
+    std::vector<glm::vec4> texels = ToLight(picture, transfer);
+    float nearest = 0;
+    for (size_t i = 0; i < texels.size(); i++) {
+        const float most = std::max({texels[i].r, texels[i].g, texels[i].b});
+        if (!(most <= kBrightestLensLight))
+            throw Error("{}: light of {:g}; --method layered takes it up to {:g}", name, most, kBrightestLensLight);
+        texels[i].a = depth[i].a;
+        nearest = std::max(nearest, depth[i].a);
+    }
+    const LayeredDepthOfFieldDesc desc{.extent = extent,
+                                       .boxes = options.disc.Boxes(),
+                                       .sides = options.disc.Sides(),
+                                       .largestTexels = largestTexels};
+    LayeredDepthOfField effect(device, desc);
+    const Image image = Upload(device, extent, std::span<const glm::vec4>(texels), "picture and disparity");
+    CommandList commands(device, CommandList::Timing::On);
+    const Image& result = effect.Record(commands, image, nullptr, lens, nearest, kLayersPerSide);
+    commands.SubmitAndWait();
+    return {Download<glm::vec4>(device, result), effect.Precision(), commands.PassTimes()};
+}
+
+Stats Focus(Device& device, const Job& job, const DofOptions& options) {
+    const Picture picture = ReadForDevice(job.input, device, options.read);
+    RequireWritable(job.output, job.format, picture.channels);
+    const Transfer transfer = TransferFor(picture, options.read);
+    const Extent2D extent{picture.widthTexels, picture.heightTexels};
+    std::vector<glm::vec4> depth = ReadDisparity(picture, device, options);
+    float largestDifference = 0;
+    for (const glm::vec4& texel : depth)
+        largestDifference = std::max(largestDifference, std::abs(texel.a - static_cast<float>(options.focus)));
+    const Lens lens{static_cast<float>(options.focus), static_cast<float>(options.aperture)};
+    const Photograph photograph{picture,
+                                job.input,
+                                transfer,
+                                extent,
+                                std::move(depth),
+                                lens,
+                                std::clamp(lens.apertureTexels * largestDifference, 1.0f, kMaxSizeTexels)};
+
+    const Focused focused = options.method == "layered" ? FocusByLayers(device, photograph, options)
+                                                        : FocusByOneTable(device, photograph, options);
+    RequireFiniteSums(focused.texels, job.input);
     const SampleType sampleType = SampleTypeFor(job.format, picture.stored);
-    WritePicture(FromLight(texels, picture, transfer, sampleType), job.output, job.format, sampleType);
+    WritePicture(FromLight(focused.texels, picture, transfer, sampleType), job.output, job.format, sampleType);
     return {.input = job.input,
             .output = job.output,
             .extent = extent,
-            .precision = SATPrecisionName(desc.precision),
-            .tableBytes = SummedAreaTableBytes(extent, desc.precision),
-            .passes = commands.PassTimes(),
+            .precision = SATPrecisionName(focused.precision),
+            .tableBytes = SummedAreaTableBytes(extent, focused.precision),
+            .passes = focused.passes,
             .deviceBytes = device.MemoryBytes()};
 }
 
@@ -103,8 +160,11 @@ void AddDofCommand(CLI::App& app) {
     CLI::App& command = *app.add_subcommand("dof", "Depth of field on a photograph whose depth is known");
     command.footer(
         "A thin lens: a texel of disparity D (1 / distance; brighter is nearer) becomes the mean over a circle of\n"
-        "max(1, A |D - F|) texels. Depth of 0 is unknown and takes the nearest known value. One table of the whole\n"
-        "picture: what is sharp bleeds into what is blurred beside it.\n\n"
+        "max(1, A |D - F|) texels. Depth of 0 is unknown and takes the nearest known value. By one table of the "
+        "whole\n"
+        "picture what is sharp bleeds into what is blurred beside it; in layers of depth it does not, and what is "
+        "near\n"
+        "has soft rims.\n\n"
         "Example:\n"
         "  boxcar dof photo.jpg --depth disparity.png --focus 0.5 --aperture 100 -o focused.png");
     AddBatchOptions(command, *options);
@@ -125,6 +185,9 @@ void AddDofCommand(CLI::App& app) {
                     "Diameter of the circle for a disparity that differs by 1, texels")
         ->required()
         ->type_name("A");
+    command.add_option("--method", options->method, "single: one table (default); layered: a table a layer of depth")
+        ->check(CLI::IsMember({"single", "layered"}))
+        ->type_name("M");
     AddDiscOptions(command, options->disc);
     command.callback([options] {
         RequirePossible(*options);

@@ -364,7 +364,7 @@ void Gallery::LensOnAPhotograph() {
     FillUnknown(disparity, depth.Extent());
     Texels widths;
     for (const float value : disparity)
-        widths.emplace_back(value, value, value, 1);
+        widths.emplace_back(value, value, value, value);
     section.figures.push_back(
         Save("lens_disparity.png", widths, aloe, "Disparity: brighter is nearer; holes filled.", Transfer::Raw));
 

@@ -1,13 +1,13 @@
 // Depth of field on a picture whose distances are known: each texel becomes the mean over its own circle of
 // confusion.
 //
-//   disparity  ->  lens_width.ps  ->  widths
+//   disparity  ->  LensWidths  ->  widths
 //   color      ->  Blur, by the widths  ->  picture
 //
 // One table of the whole picture, as the papers have it: what is in focus bleeds into what is not behind it, because
-// a circle there takes in texels of other distances.
+// a circle there takes in texels of other distances. layered_depth_of_field.h does without.
 //
-// Hensley 2005, sect. 5.3 (Fig. 9)
+// Hensley 2005, sect. 5.4 (Fig. 9)
 #pragma once
 
 #include "samples/effects/blur.h"
@@ -17,6 +17,22 @@ namespace boxcar {
 struct Lens {
     float focusDisparity = 0.5f;  // 1 / distance of what is sharp, in the disparity's units
     float apertureTexels = 40;    // diameter of the circle of confusion for a disparity that differs by 1
+};
+
+// The circle of confusion of every texel, as a map of widths for SATFilter. Device memory: 16 bytes a texel.
+// Move-only.
+class LensWidths {
+public:
+    //   largestTexels  the largest circle to come; larger ones become this
+    LensWidths(Device& device, Extent2D extent, float largestTexels);
+
+    //   disparity  RGBA32F; alpha is 1 / distance in any unit
+    SATWidths Record(CommandList& commands, const Image& disparity, const Lens& lens);
+
+private:
+    float m_largestTexels;
+    Pipeline m_pipeline;
+    Image m_widths;
 };
 
 struct DepthOfFieldDesc {
@@ -40,13 +56,11 @@ public:
     // Returns the picture, RGBA32F.
     //
     //   color      linear light times alpha, as of SummedAreaTable::Record
-    //   disparity  RGBA32F of the same extent; red is 1 / distance in any unit
+    //   disparity  RGBA32F of the same extent; alpha is 1 / distance in any unit
     const Image& Record(CommandList& commands, TexelWords color, const Image& disparity, const Lens& lens);
 
 private:
-    DepthOfFieldDesc m_desc;
-    Pipeline m_pipeline;
-    Image m_widths;
+    LensWidths m_widths;
     Blur m_blur;
 };
 

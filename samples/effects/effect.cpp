@@ -79,7 +79,7 @@ const Image& Effect::AddStage(std::string name, const Image& image) {
 std::span<const EffectInfo> Effects() {
     static const EffectInfo kEffects[] = {
         GlossyEnvironmentInfo(), PhongEnvironmentInfo(), ParaboloidDirectInfo(), PlanarReflectionInfo(),
-        TranslucencyInfo(),      SoftShadowInfo(),       TextureFilteringInfo(),
+        TranslucencyInfo(),      SoftShadowInfo(),       TextureFilteringInfo(), DepthOfFieldInfo(),
     };
     return kEffects;
 }

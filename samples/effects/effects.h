@@ -12,5 +12,6 @@ EffectInfo PlanarReflectionInfo();
 EffectInfo TranslucencyInfo();
 EffectInfo SoftShadowInfo();
 EffectInfo TextureFilteringInfo();
+EffectInfo DepthOfFieldInfo();
 
 }  // namespace boxcar

@@ -44,8 +44,9 @@ TEST(Dof, WhatIsInFocusStaysSharpOnAPhotograph) {
     const Folder folder;
     const Picture photograph = ReadPicture(BOXCAR_ASSETS "/aloeL.jpg"),
                   depth = ReadPicture(BOXCAR_ASSETS "/aloeGT.png");
-    const Outcome outcome = folder.Run("dof " BOXCAR_ASSETS "/aloeL.jpg --depth " BOXCAR_ASSETS
-                                       "/aloeGT.png --focus 0.5 --aperture 20 --disc-boxes 2 -o out.png");
+    const Outcome outcome =
+        folder.Run("dof " BOXCAR_ASSETS "/aloeL.jpg --depth " BOXCAR_ASSETS
+                   "/aloeGT.png --focus 0.5 --aperture 20 --disc-boxes 2 --method single -o out.png");
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     const Picture focused = ReadPicture(folder.Path("out.png"));
     size_t inFocus = 0;
@@ -56,6 +57,64 @@ TEST(Dof, WhatIsInFocusStaysSharpOnAPhotograph) {
             ASSERT_NEAR(focused.samples[3 * i + c], photograph.samples[3 * i + c], 1.01 / 255) << "texel " << i;
     }
     EXPECT_GT(inFocus, 10000u);
+}
+
+// A red leaf in focus before a blue wall, far out of it. In one table the leaf reddens the wall around it, in layers
+// it does not; the wall stays as it is in both, for it is all of one colour.
+TEST(Dof, LayersKeepTheLightOfTheLeafOutOfTheWall) {
+    const Folder folder;
+    Picture picture{60, 40, 3, SampleType::Unorm8, {}}, depth{60, 40, 1, SampleType::Unorm8, {}};
+    const auto isLeaf = [](size_t i) { return i % 60 >= 20 && i % 60 < 35; };
+    for (size_t i = 0; i < 60 * 40; i++) {
+        for (int c = 0; c < 3; c++)
+            picture.samples.push_back(isLeaf(i) ? (c == 0 ? 1.0f : 0.0f) : (c == 2 ? 1.0f : 0.0f));
+        depth.samples.push_back(isLeaf(i) ? 204 / 255.0f : 51 / 255.0f);
+    }
+    WritePicture(picture, folder.Path("in.png"), FileFormat::Png, SampleType::Unorm8);
+    WritePicture(depth, folder.Path("depth.png"), FileFormat::Png, SampleType::Unorm8);
+    const auto redOfTheWall = [&](const std::string& method) {
+        const Outcome outcome =
+            folder.Run("dof in.png --depth depth.png --focus 0.8 --aperture 30 -o out.exr --method " + method);
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+        const Picture focused = ReadPicture(folder.Path("out.exr"));
+        double red = 0;
+        for (size_t i = 0; i < 60 * 40; i++) {
+            if (isLeaf(i)) {
+                EXPECT_NEAR(focused.samples[3 * i], 1, 1e-4) << method << ", texel " << i;
+            } else {
+                red += focused.samples[3 * i];
+            }
+        }
+        return red;
+    };
+    const double single = redOfTheWall("single");
+    EXPECT_GT(single, 100);
+    EXPECT_LT(redOfTheWall("layered"), 0.01 * single);
+}
+
+// Before a wall in focus, the rim of a near leaf is half there at its edge and lets the wall through on its inner
+// side: light falls across it all, without a step.
+TEST(Dof, LayersMakeTheRimOfANearLeafSoftOnBothSides) {
+    const Folder folder;
+    Picture picture{80, 40, 3, SampleType::Unorm8, {}}, depth{80, 40, 1, SampleType::Unorm8, {}};
+    for (size_t i = 0; i < 80 * 40; i++) {
+        const bool isLeaf = i % 80 < 40;
+        for (int c = 0; c < 3; c++)
+            picture.samples.push_back(isLeaf == (c == 0) ? 1.0f : 0.0f);
+        depth.samples.push_back(isLeaf ? 204 / 255.0f : 51 / 255.0f);
+    }
+    WritePicture(picture, folder.Path("in.png"), FileFormat::Png, SampleType::Unorm8);
+    WritePicture(depth, folder.Path("depth.png"), FileFormat::Png, SampleType::Unorm8);
+    const Outcome outcome =
+        folder.Run("dof in.png --depth depth.png --focus 0.2 --aperture 35 -o out.exr --method layered");
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const Picture focused = ReadPicture(folder.Path("out.exr"));
+    const auto red = [&](int x) { return focused.samples[static_cast<size_t>(3 * (20 * 80 + x))]; };
+    EXPECT_NEAR(0.5 * (red(39) + red(40)), 0.5, 0.04);
+    EXPECT_NEAR(red(10), 1, 1e-4);
+    EXPECT_NEAR(red(70), 0, 1e-4);
+    for (int x = 10; x < 70; x++)  // a disc of 21 texels is 0.06 of its area at its widest column
+        EXPECT_NEAR(red(x) - red(x + 1), 0.03, 0.045) << "column " << x;
 }
 
 // The nearest is looked for among all, the slow way.
@@ -111,6 +170,10 @@ TEST(Dof, RefusesWhatItCannotDoInOneLine) {
     expect("--depth none.png --focus 0.5 --aperture 9", 1, "none.png: cannot be read: No such file or directory");
     expect("--depth small.png --focus 0.5 --aperture 9", 1,
            "small.png: 4 x 4 texels; the depth must be as large as the picture, 8 x 8");
+    WritePicture(RandomPicture(8, 8, 4, SampleType::Unorm8), folder.Path("in.png"), FileFormat::Png,
+                 SampleType::Unorm8);
+    expect("--depth in.png --focus 0.5 --aperture 9 --method layered", 1,
+           "in.png: 4 channels; --method layered takes pictures without alpha");
 }
 
 // Bands cover every row once, and each reads as far as a kernel reaches.

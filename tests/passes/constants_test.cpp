@@ -22,7 +22,20 @@ TEST(PassesConstants, OffsetsInCppEqualThoseInTheShaders) {
                             OFFSET(SATFilterConstants, isSigned)};
     const Offsets lens = {OFFSET(LensConstants, focusDisparity), OFFSET(LensConstants, apertureTexels),
                           OFFSET(LensConstants, largestTexels)};
+    const Offsets lensLayer = {
+        OFFSET(LensLayerConstants, focusDisparity), OFFSET(LensLayerConstants, apertureTexels),
+        OFFSET(LensLayerConstants, behindKnot),     OFFSET(LensLayerConstants, knot),
+        OFFSET(LensLayerConstants, beforeKnot),     OFFSET(LensLayerConstants, secondBeforeKnot),
+        OFFSET(LensLayerConstants, thirdBeforeKnot)};
+    const Offsets lensOver = {OFFSET(LensOverConstants, diameterTexels), OFFSET(LensOverConstants, boxes),
+                              OFFSET(LensOverConstants, sides),          OFFSET(LensOverConstants, codeScale),
+                              OFFSET(LensOverConstants, opacity),        OFFSET(LensOverConstants, isLast)};
+    const Offsets lensMips = {OFFSET(LensMipsConstants, focusDisparity), OFFSET(LensMipsConstants, apertureTexels),
+                              OFFSET(LensMipsConstants, noiseLevels)};
     EXPECT_EQ(OffsetsIn("shaders/lens_width.ps"), lens);
+    EXPECT_EQ(OffsetsIn("shaders/lens_layer.ps"), lensLayer);
+    EXPECT_EQ(OffsetsIn("shaders/lens_over.ps.WORDS=2"), lensOver);
+    EXPECT_EQ(OffsetsIn("shaders/lens_mips.ps"), lensMips);
     EXPECT_EQ(OffsetsIn("shaders/sat_pass.vs.TAPS=16"), pass);
     EXPECT_EQ(OffsetsIn("shaders/sat_pass_load.ps.TAPS=2"), pass);
     EXPECT_EQ(OffsetsIn("shaders/sat_pass_exact.ps.TAPS=2.WORDS=2"), pass);
