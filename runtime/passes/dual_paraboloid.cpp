@@ -50,10 +50,8 @@ DualParaboloidFaces DualParaboloid::Record(CommandList& commands, const Image& c
     for (size_t face = 0; face < 2; face++) {
         const DPFaceConstants constants{static_cast<int>(face), static_cast<int>(m_faces[0].Extent().widthTexels), 0,
                                         0};
-        Pass pass{.name = kFaceNames[face],
-                  .pipeline = m_pipeline,
-                  .reads = {{"cube", &cube}},
-                  .writes = {&m_faces[face]}};
+        Pass pass{
+            .name = kFaceNames[face], .pipeline = m_pipeline, .reads = {{"cube", &cube}}, .writes = {&m_faces[face]}};
         if (m_drawDirections) {
             if (!m_hasDirections)
                 commands.Draw({.name = "directions",

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "samples/cli/effect_run.h"
 
 namespace boxcar {
@@ -15,6 +17,7 @@ struct EffectFigure {
     std::string_view environment = "";
     std::string_view mesh = "";
     uint32_t samples = 2;  // along a pixel's side, so that edges look well; times are for one
+    bool hasPsnr = false;
 };
 
 const EffectFigure kFigures[] = {
@@ -68,6 +71,91 @@ const EffectFigure kFigures[] = {
     {"planar-reflection", "Three times as rough.", "17", {{"roughness", "0.36"}}, "", "teapot"},
     {"translucency", "Three objects, each over a table of what is behind it.", "17"},
     {"translucency", "Etched more.", "17", {{"etching", "0.3"}}, "", "teapot"},
+    {"soft-shadow", "A lamp half a unit wide, seven away.", "80 of two words"},
+    {"soft-shadow", "Three times as wide.", "80 of two words", {{"light-size", "1.5"}}},
+    {"soft-shadow", "The same map, one texel of it.", "1", {{"method", "hard"}}},
+    {"texture-filtering",
+     "The nearest texel.",
+     "1",
+     {{"scene", "ellipsoid"}, {"filter", "nearest"}},
+     "",
+     "",
+     1,
+     true},
+    {"texture-filtering",
+     "A mip map of plain means, trilinear.",
+     "8",
+     {{"scene", "ellipsoid"}, {"filter", "mip"}},
+     "",
+     "",
+     1,
+     true},
+    {"texture-filtering",
+     "Up to 16 samples of the mip map along the footprint.",
+     "up to 128",
+     {{"scene", "ellipsoid"}, {"filter", "anisotropic"}},
+     "",
+     "",
+     1,
+     true},
+    {"texture-filtering",
+     "One table, the rectangle round the footprint.",
+     "16",
+     {{"scene", "ellipsoid"}, {"filter", "table"}},
+     "",
+     "",
+     1,
+     true},
+    {"texture-filtering",
+     "256 samples a pixel.",
+     "256",
+     {{"scene", "ellipsoid"}, {"filter", "reference"}},
+     "",
+     "",
+     1,
+     false},
+    {"texture-filtering", "The nearest texel.", "1", {{"scene", "planes"}, {"filter", "nearest"}}, "", "", 1, true},
+    {"texture-filtering", "Four texels.", "4", {{"scene", "planes"}, {"filter", "bilinear"}}, "", "", 1, true},
+    {"texture-filtering",
+     "A mip map of plain means, trilinear.",
+     "8",
+     {{"scene", "planes"}, {"filter", "mip"}},
+     "",
+     "",
+     1,
+     true},
+    {"texture-filtering",
+     "A mip map of weighted means, trilinear.",
+     "8",
+     {{"scene", "planes"}, {"filter", "mip-filtered"}},
+     "",
+     "",
+     1,
+     true},
+    {"texture-filtering",
+     "Up to 16 samples of the mip map along the footprint.",
+     "up to 128",
+     {{"scene", "planes"}, {"filter", "anisotropic"}},
+     "",
+     "",
+     1,
+     true},
+    {"texture-filtering",
+     "One table, the rectangle round the footprint.",
+     "16",
+     {{"scene", "planes"}, {"filter", "table"}},
+     "",
+     "",
+     1,
+     true},
+    {"texture-filtering",
+     "256 samples a pixel.",
+     "256",
+     {{"scene", "planes"}, {"filter", "reference"}},
+     "",
+     "",
+     1,
+     false},
     {"depth-of-field", "Seven layers of depth on either side of the focus.", "at most 480", {{"lens", "0.4"}}},
     {"depth-of-field",
      "One table of the picture: the sharp bunny glows into the background, near things have hard rims.",
@@ -81,6 +169,26 @@ const EffectFigure kFigures[] = {
     {"depth-of-field", "256 views from all over the lens.", "256", {{"lens", "0.4"}, {"method", "accumulation"}}},
     {"depth-of-field", "In layers, focused behind.", "at most 480", {{"lens", "0.4"}, {"focus", "12"}}},
 };
+
+// Of the texture alone, against 256 samples a pixel: light is divided out (alpha is that of white), and pixels on the
+// silhouette, which have a neighbour without any, take no part. Peak 1.
+double PsnrOfTexture(Device& device, EffectOptions options, std::vector<Setting> settings) {
+    const std::vector<glm::vec4> texels = EffectRun(device, options, settings).Samples(0);
+    settings.push_back({"filter", "reference"});
+    EffectRun run(device, options, settings);
+    const std::vector<glm::vec4> reference = run.Samples(0);
+    const auto [width, height] = run.Extent();
+    double sum = 0, count = 0;
+    for (size_t i = width + 1; i + width + 1 < texels.size(); i++) {
+        bool isCovered = true;
+        for (const size_t neighbour : {i - width - 1, i - width + 1, i + width - 1, i + width + 1})
+            isCovered = isCovered && texels[neighbour].a > 0 && texels[i].a > 0;
+        if (!isCovered) continue;
+        sum += std::pow(texels[i].g / texels[i].a - reference[i].g / reference[i].a, 2);
+        count++;
+    }
+    return -10 * std::log10(sum / count);
+}
 
 double Milliseconds(const std::vector<PassTime>& passes) {
     double sum = 0;
@@ -113,8 +221,13 @@ void AddEffectSections(Device& device, const std::filesystem::path& folder, std:
             const Picture picture = EffectRun(device, options, figure.settings).Render(0, SampleType::Unorm8);
             const std::string file = fmt::format("{}_{}.png", info.name, section.figures.size());
             WritePicture(picture, (folder / file).string(), FileFormat::Png, SampleType::Unorm8);
-            section.figures.push_back({file, fmt::format("{} {:.0f} ms a frame; {} loads a pixel.", figure.caption,
-                                                         Milliseconds(passes), figure.loads)});
+            std::string caption = fmt::format("{} {:.0f} ms a frame; {} loads a pixel.", figure.caption,
+                                              Milliseconds(passes), figure.loads);
+            if (figure.hasPsnr) {
+                options.samples = 1;
+                caption += fmt::format(" PSNR {:.1f} dB.", PsnrOfTexture(device, options, figure.settings));
+            }
+            section.figures.push_back({file, caption});
         }
         sections.push_back(std::move(section));
     }

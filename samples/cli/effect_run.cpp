@@ -120,13 +120,18 @@ EffectRun::EffectRun(Device& device, const EffectOptions& options, const std::ve
     m_effect = m_info.make(device, m_inputs, m_values);
 }
 
-Picture EffectRun::Render(double timeSeconds, SampleType sampleType, std::vector<PassTime>* passes) {
+std::vector<glm::vec4> EffectRun::Samples(double timeSeconds, std::vector<PassTime>* passes) {
     CommandList commands(m_device, passes ? CommandList::Timing::On : CommandList::Timing::Off);
     const Image& image = m_effect->Record(commands, {timeSeconds, m_values});
     commands.SubmitAndWait();
     if (passes) *passes = commands.PassTimes();
     std::vector<glm::vec4> samples = Download<glm::vec4>(m_device, image);
     RequireFiniteSums(samples, std::string(m_info.name));
+    return samples;
+}
+
+Picture EffectRun::Render(double timeSeconds, SampleType sampleType, std::vector<PassTime>* passes) {
+    std::vector<glm::vec4> samples = Samples(timeSeconds, passes);
     if (m_info.isHighRange && sampleType != SampleType::Float32)
         for (glm::vec4& sample : samples)
             sample = {Shown(sample.x), Shown(sample.y), Shown(sample.z), sample.w};

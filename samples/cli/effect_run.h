@@ -40,6 +40,10 @@ public:
     // an environment that cannot be read; what the device cannot do.
     EffectRun(Device& device, const EffectOptions& options, const std::vector<Setting>& settings);
 
+    // A frame's samples as the effect gives them: as many times wider and higher than the picture as a
+    // pixel's side has samples.
+    std::vector<glm::vec4> Samples(double timeSeconds, std::vector<PassTime>* passes = nullptr);
+
     // The picture for a file of samples of such a type: the mean of the samples of each pixel. Floats hold light; for
     // integers what goes beyond 0.7 is bent so that it stays below 1, where the effect has such light, and all is
     // sRGB.

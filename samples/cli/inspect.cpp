@@ -135,7 +135,7 @@ void Inspect(const InspectOptions& options) {
     const std::vector<Setting> settings = SettingsOf(options);
     CheckedDevice device(options.device);
     EffectRun run(*device, options, settings);
-    run.Render(options.timeSeconds, SampleType::Float32);
+    run.Samples(options.timeSeconds);
     const Image& image = FindStage(run.Stages(), options.stage);
     const auto pixel = ParsePixel(options.pixel, image.Extent());
     const StageTexels stage = ReadStage(*device, image);

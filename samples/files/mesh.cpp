@@ -8,8 +8,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <string_view>
 #include <map>
+#include <string_view>
 #include <unordered_map>
 
 #include "samples/files/bytes.h"

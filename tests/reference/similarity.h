@@ -1,6 +1,6 @@
 // How alike two pictures look: the structural similarity index, in double.
 //
-// Wang, Bovik, Sheikh, Simoncelli 2004 (8 x 8 windows of equal weight, at every place; K1 = 0.01, K2 = 0.03)
+// Wang 2004 (8 x 8 windows of equal weight, at every place; K1 = 0.01, K2 = 0.03)
 #pragma once
 
 #include <algorithm>
