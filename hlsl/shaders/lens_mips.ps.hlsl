@@ -1,5 +1,6 @@
-// lens_mips.ps: depth of field from a mip map: one trilinear sample, of the level whose texels are as wide as the circle of
-// confusion. Noise over level and place hides the steps of the map (Demers 2004).
+// lens_mips.ps: depth of field from a mip map. Without noise, samples of three levels are combined so that their variance is
+// that of the circle of confusion (Ashikhmin 2002). With it, one sample of the level whose texels are as wide as the circle;
+// noise over level and place hides the steps of the map (Demers 2004).
 // Hensley 2005, sect. 2.2 and 5.4 (what tables are compared with)
 #include "boxcar/compat.hlsli"
 #include "boxcar/footprint.hlsli"
@@ -28,6 +29,16 @@ float4 main(QuadVertex i) : SV_Target0
     int2 extentTexels;
     picture.GetDimensions(extentTexels.x, extentTexels.y);
     float widthTexels = FootprintLens(picture.Load(int3(texel, 0)).a, g.focusDisparity, g.apertureTexels);
+    if (g.noiseLevels == 0.0)
+    {
+        // A bilinear sample of level l has the variance 4^l / 4 on an axis, a disc of diameter c has c^2 / 16. Levels
+        // l - 1, l, l + 1 by 1/4, 1/2, 1/4 have 25/64 4^l.
+        float2 centreUv = TexelEdgeToUv(i.position.xy, extentTexels);
+        float middle = log2(0.4 * widthTexels);
+        return 0.25 * mips.SampleLevel(linearClamp, centreUv, middle - 1.0)
+             + 0.50 * mips.SampleLevel(linearClamp, centreUv, middle)
+             + 0.25 * mips.SampleLevel(linearClamp, centreUv, middle + 1.0);
+    }
     float3 noise = widthTexels > 1.0 ? g.noiseLevels * NoiseAt(texel) : float3(0.0, 0.0, 0.0);
     float2 uv = TexelEdgeToUv(i.position.xy + 0.5 * widthTexels * noise.xy, extentTexels);
     return mips.SampleLevel(linearClamp, uv, log2(widthTexels) + noise.z);

@@ -161,7 +161,7 @@ const EffectFigure kFigures[] = {
      "One table of the picture: the sharp bunny glows into the background, near things have hard rims.",
      "128",
      {{"lens", "0.4"}, {"method", "single"}}},
-    {"depth-of-field", "A mip map.", "8", {{"lens", "0.4"}, {"method", "mips"}}},
+    {"depth-of-field", "Three levels of a mip map combined.", "24", {{"lens", "0.4"}, {"method", "mips"}}},
     {"depth-of-field",
      "A mip map looked up at random places round the pixel: noise instead of blocks.",
      "8",
