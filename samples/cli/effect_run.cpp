@@ -11,21 +11,6 @@ namespace {
 
 constexpr uint32_t kMaxSideTexels = 8192;
 
-Extent2D ParseExtent(const std::string& text) {
-    Extent2D extent;
-    const char* const end = text.data() + text.size();
-    const auto width = std::from_chars(text.data(), end, extent.widthTexels);
-    bool isRight = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
-    if (isRight) {
-        const auto height = std::from_chars(width.ptr + 1, end, extent.heightTexels);
-        isRight = height.ec == std::errc() && height.ptr == end;
-    }
-    const auto fits = [](uint32_t side) { return side >= 1 && side <= kMaxSideTexels; };
-    if (!isRight || !fits(extent.widthTexels) || !fits(extent.heightTexels))
-        throw UsageError("--size {}: expected WxH, two whole numbers from 1 to {}", text, kMaxSideTexels);
-    return extent;
-}
-
 Environment ReadEnvironment(const std::string& name) {
     if (name == "city" || name == "studio" || name == "venice") return SampleEnvironment(name);
     return EnvironmentFrom(ReadPicture(name), name);
@@ -110,7 +95,7 @@ std::vector<Setting> SettingsOf(const EffectOptions& options) {
 EffectRun::EffectRun(Device& device, const EffectOptions& options, const std::vector<Setting>& settings)
     : m_device(device),
       m_info(FindEffect(options.effect)),
-      m_extent(ParseExtent(options.extent)),
+      m_extent(ParseExtent(options.extent, kMaxSideTexels)),
       m_samples(options.samples),
       m_inputs(InputsOf(m_info, options)),
       m_values(ValuesOf(m_info, settings)) {

@@ -1,6 +1,7 @@
 // boxcar: filters pictures and draws the papers' effects with summed-area tables on a Vulkan device, headless.
 //
-//   boxcar filter | dof | sat | precision | render | sweep | inspect | list | fit-lobe | gallery | devices
+//   boxcar filter | dof | resize | derive | sat | precision | render | sweep | inspect | list | fit-lobe | gallery |
+//   devices
 //
 // Exit codes: 0; 1 the work failed, in one line; 2 the command line is wrong, in one line.
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include "samples/cli/options.h"
 #include "samples/cli/precision/precision.h"
 #include "samples/cli/render.h"
+#include "samples/cli/resize.h"
 
 namespace {
 
@@ -30,6 +32,8 @@ int main(int argc, char** argv) {
     boxcar::AddFilterCommand(app);
     boxcar::AddDofCommand(app);
     boxcar::AddSatCommand(app);
+    boxcar::AddResizeCommand(app);
+    boxcar::AddDeriveCommand(app);
     boxcar::AddPrecisionCommand(app);
     boxcar::AddGalleryCommand(app);
     boxcar::AddRenderCommand(app);

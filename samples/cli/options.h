@@ -89,4 +89,7 @@ constexpr float kMaxSizeTexels = 32768;
 // "W" or "WxH": real numbers above 0 and at most 32768 (twice the largest side). Throws UsageError naming the flag.
 glm::vec2 ParseSize(const std::string& flag, const std::string& text);
 
+// "WxH" of --size: whole numbers from 1 to `maxSideTexels`. Throws UsageError.
+Extent2D ParseExtent(const std::string& text, uint32_t maxSideTexels);
+
 }  // namespace boxcar

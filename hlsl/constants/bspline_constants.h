@@ -1,0 +1,31 @@
+// Constants of the third-order filters' shaders: one text for HLSL and C++. Order the members so that none crosses a 16-byte
+// line; PassesConstants.OffsetsInCppEqualThoseInTheShaders compares them with the compiled shaders.
+#ifndef BOXCAR_BSPLINE_CONSTANTS_H
+#define BOXCAR_BSPLINE_CONSTANTS_H
+
+#ifdef __cplusplus
+#include "hlsl/constants/hlsl_types.h"
+namespace boxcar {
+#endif
+
+// bspline_prefilter.ps: along one axis.
+struct BSplinePrefilterConstants
+{
+    int2 stepTexels;  // (1, 0) or (0, 1)
+};
+
+// resize.ps, resize_table.ps
+struct ResizeConstants
+{
+    int2 extentTexels;   // of the source
+    float2 stepTexels;   // of the source, from one texel of the result to the next
+    int order;           // of the table: 2 or 3
+    float codeScale;     // what 1 is in its codes
+    int isSigned;
+};
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

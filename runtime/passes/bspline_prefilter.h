@@ -1,0 +1,27 @@
+// Makes the cubic B-spline of an image go through its texels.
+//
+//   source  ->  along x  ->  along y  ->  coefficients
+//
+// The spline smooths what it is given; of these coefficients it gives back the source (hlsl/boxcar/bspline.hlsli).
+//
+// Beyond Sigg 2005
+#pragma once
+
+#include "runtime/command_list.h"
+
+namespace boxcar {
+
+// Holds one pipeline and two images: 32 bytes of device memory a texel. Move-only. Not thread-safe.
+class BSplinePrefilter {
+public:
+    BSplinePrefilter(Device& device, Extent2D extent);
+
+    // Returns the coefficients, RGBA32F. The image goes on as its mirror image. Error: 1e-6 of the largest texel.
+    const Image& Record(CommandList& commands, const Image& source);
+
+private:
+    Pipeline m_pipeline;
+    Image m_alongX, m_coefficients;
+};
+
+}  // namespace boxcar

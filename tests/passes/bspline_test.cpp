@@ -1,0 +1,261 @@
+// Third-order filters against the analytic spline in double.
+#include "tests/reference/bspline.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "hlsl/constants/bspline_constants.h"
+#include "passes_shaders.h"
+#include "runtime/passes/bspline_prefilter.h"
+#include "samples/effects/resize.h"
+#include "test_support_shaders.h"
+#include "tests/hlsl/test_constants.h"
+#include "tests/support/device_codes.h"
+#include "tests/support/offsets.h"
+
+namespace boxcar {
+namespace {
+
+constexpr Extent2D kNoiseExtent{256, 256};
+constexpr glm::vec2 kOffsets[] = {{0, 0}, {0.25f, -0.375f}, {-0.5f, 0.5f}, {0.4375f, 0.1f}};
+
+Texels Noise(Extent2D extent, uint32_t seed) {
+    Texels texels = RandomCodes(extent, seed);
+    for (glm::vec4& texel : texels)
+        texel /= 255.0f;
+    return texels;
+}
+
+Texels Filtered(const std::string& form, Extent2D extent, const Texels& source, glm::vec2 offsetTexels) {
+    const Pipeline pipeline(TestDevice(), {passes_shaders::Find("shaders/quad.vs"),
+                                           test_support_shaders::Find("shaders/bspline_2d.ps.FORM=" + form)});
+    const Image result(TestDevice(), {extent, Format::RGBA32F, form});
+    const SampleConstants constants{int2(extent.widthTexels, extent.heightTexels), float2(0), offsetTexels};
+    return RunOnDevice(extent, source, [&](CommandList& commands, const Image& image) -> const Image& {
+        commands.Draw({.name = form,
+                       .pipeline = pipeline,
+                       .reads = {{"source", &image}},
+                       .writes = {&result},
+                       .constants = ConstantBytes(constants)});
+        return result;
+    });
+}
+
+// The largest difference to the sum of texels times kernels.
+template <typename KernelX, typename KernelY>
+double LargestError(const std::string& form, Extent2D extent, KernelX kernelX, KernelY kernelY) {
+    const Texels source = Noise(extent, 7);
+    const auto image = ToDouble(extent, source);
+    double largest = 0;
+    for (const glm::vec2 offset : kOffsets) {
+        const Texels filtered = Filtered(form, extent, source, offset);
+        for (uint32_t y = 0; y < extent.heightTexels; y++)
+            for (uint32_t x = 0; x < extent.widthTexels; x++) {
+                const auto expected = reference::CubicSum(image, x + 0.5 + static_cast<double>(offset.x),
+                                                          y + 0.5 + static_cast<double>(offset.y), kernelX, kernelY);
+                const glm::dvec4 error = glm::dvec4(filtered[y * extent.widthTexels + x]) - expected;
+                for (int c = 0; c < 4; c++)
+                    largest = std::max(largest, std::abs(error[c]));
+            }
+    }
+    testing::Test::RecordProperty(form, fmt::format("{:.3g}", largest));
+    return largest;
+}
+
+auto Spline(int order) {
+    return [order](double x) { return reference::BSplineDerivative(order, x); };
+}
+
+// For derivatives a jump of the pattern between two texels would count: third derivatives are not asked for.
+TEST(BSpline, ExactWeightsAreTheSpline) {
+    EXPECT_LE(LargestError("LOAD", kNoiseExtent, Spline(0), Spline(0)), 5e-7);
+    EXPECT_LE(LargestError("LOAD_DX", kNoiseExtent, Spline(1), Spline(0)), 5e-7);
+    EXPECT_LE(LargestError("LOAD_DY", kNoiseExtent, Spline(0), Spline(1)), 5e-7);
+    EXPECT_LE(LargestError("LOAD_DXX", kNoiseExtent, Spline(2), Spline(0)), 1e-6);
+    EXPECT_LE(LargestError("LOAD_DXY", kNoiseExtent, Spline(1), Spline(1)), 5e-7);
+    EXPECT_LE(LargestError("LOAD_DYY", kNoiseExtent, Spline(0), Spline(2)), 1e-6);
+}
+
+TEST(BSpline, FewFetchesAreNearTheSpline) {
+    EXPECT_LE(LargestError("SAMPLE", kNoiseExtent, Spline(0), Spline(0)), 1e-5);
+    EXPECT_LE(LargestError("SAMPLE_DX", kNoiseExtent, Spline(1), Spline(0)), 1.2e-5);
+    EXPECT_LE(LargestError("SAMPLE_DY", kNoiseExtent, Spline(0), Spline(1)), 1.2e-5);
+}
+
+TEST(BSpline, CatmullRomIsKeysCubic) {
+    EXPECT_LE(LargestError("CATMULL_LOAD", kNoiseExtent, reference::CatmullRom, reference::CatmullRom), 7e-7);
+    EXPECT_LE(LargestError("CATMULL_SAMPLE", kNoiseExtent, reference::CatmullRom, reference::CatmullRom), 1.5e-5);
+    for (const Extent2D extent : {Extent2D{1, 6}, Extent2D{6, 1}, Extent2D{12, 19}})
+        EXPECT_LE(LargestError("CATMULL_LOAD", extent, reference::CatmullRom, reference::CatmullRom), 7e-7);
+}
+
+// A spline of a cubic's texels, after the prefilter of all of them, is the cubic: here by hand, a polynomial's second
+// difference is taken off: texels of x^2 make the spline x^2 + 1/3, of x^3 x^3 + x.
+TEST(BSpline, DerivativesOfPolynomialsAreExact) {
+    constexpr Extent2D kExtent{24, 20};
+    Texels texels;
+    for (uint32_t y = 0; y < 20; y++)
+        for (uint32_t x = 0; x < 24; x++) {
+            const float u = static_cast<float>(x) - 12, v = static_cast<float>(y) - 10;
+            texels.emplace_back(1, u * v, u * u * u - u, v * v);
+        }
+    const glm::vec2 offset{0.25f, -0.5f};
+    const auto inside = [&](const std::string& form, auto expected, double tolerance) {
+        const Texels filtered = Filtered(form, kExtent, texels, offset);
+        for (uint32_t y = 3; y < 17; y++)
+            for (uint32_t x = 3; x < 21; x++) {
+                const double u = x + 0.25 - 12, v = y - 0.5 - 10;
+                const glm::dvec4 should = expected(u, v);
+                for (int c = 0; c < 4; c++)
+                    ASSERT_NEAR(filtered[y * 24 + x][c], should[c], tolerance) << form << " " << c;
+            }
+    };
+    inside(
+        "LOAD", [](double u, double v) { return glm::dvec4(1, u * v, u * u * u, v * v + 1 / 3.0); }, 2e-4);
+    inside(
+        "LOAD_DX", [](double u, double v) { return glm::dvec4(0, v, 3 * u * u, 0); }, 2e-4);
+    inside(
+        "LOAD_DY", [](double u, double v) { return glm::dvec4(0, u, 0, 2 * v); }, 2e-4);
+    inside(
+        "LOAD_DXX", [](double u, double) { return glm::dvec4(0, 0, 6 * u, 0); }, 2e-4);
+    inside(
+        "LOAD_DXY", [](double, double) { return glm::dvec4(0, 1, 0, 0); }, 2e-4);
+    inside(
+        "LOAD_DYY", [](double, double) { return glm::dvec4(0, 0, 0, 2); }, 2e-4);
+}
+
+// Coefficients by solving (c[i-1] + 4 c[i] + c[i+1]) / 6 = f[i] on a line that is mirrored at its ends (Thomas'
+// elimination).
+std::vector<double> SolveLine(const std::vector<double>& f) {
+    const size_t n = f.size();
+    std::vector<double> diagonal(n, 4), right(n);
+    diagonal[0] += 1;
+    diagonal[n - 1] += 1;
+    for (size_t i = 0; i < n; i++)
+        right[i] = 6 * f[i];
+    for (size_t i = 1; i < n; i++) {
+        const double factor = 1 / diagonal[i - 1];
+        diagonal[i] -= factor;
+        right[i] -= factor * right[i - 1];
+    }
+    std::vector<double> c(n);
+    for (size_t i = n; i-- > 0;)
+        c[i] = (right[i] - (i + 1 < n ? c[i + 1] : 0)) / diagonal[i];
+    return c;
+}
+
+TEST(BSplinePrefilter, IsTheSolutionOfTheLinesAndTheSplineGoesThroughTheTexels) {
+    for (const Extent2D extent : {Extent2D{1, 1}, Extent2D{2, 3}, Extent2D{19, 12}, Extent2D{100, 70}}) {
+        const Texels source = Noise(extent, 3);
+        BSplinePrefilter prefilter(TestDevice(), extent);
+        const Texels coefficients =
+            RunOnDevice(extent, source, [&](CommandList& commands, const Image& image) -> const Image& {
+                return prefilter.Record(commands, image);
+            });
+        const size_t width = extent.widthTexels, height = extent.heightTexels;
+        std::vector<double> expected(extent.Texels());
+        for (size_t y = 0; y < height; y++) {
+            std::vector<double> row;
+            for (size_t x = 0; x < width; x++)
+                row.push_back(source[y * width + x].y);
+            row = SolveLine(row);
+            std::copy(row.begin(), row.end(), expected.begin() + static_cast<std::ptrdiff_t>(y * width));
+        }
+        for (size_t x = 0; x < width; x++) {
+            std::vector<double> column;
+            for (size_t y = 0; y < height; y++)
+                column.push_back(expected[y * width + x]);
+            column = SolveLine(column);
+            for (size_t y = 0; y < height; y++)
+                ASSERT_NEAR(coefficients[y * width + x].y, column[y], 2e-6) << width << " x " << height;
+        }
+        const Texels spline = Filtered("LOAD", extent, coefficients, {0, 0});
+        for (size_t i = 0; i < source.size(); i++)
+            for (int c = 0; c < 4; c++)
+                ASSERT_NEAR(spline[i][c], source[i][c], 1e-5);
+    }
+}
+
+TEST(Resize, ReadsTheSourceWhereItSays) {
+    constexpr Extent2D kSource{20, 14}, kResult{53, 61};
+    const Texels source = Noise(kSource, 11);
+    const auto image = ToDouble(kSource, source);
+    const std::pair<ResizeFilter, double (*)(double)> filters[] = {
+        {ResizeFilter::Linear, [](double x) { return reference::BSpline(1, x); }},
+        {ResizeFilter::BSpline, [](double x) { return reference::BSpline(3, x); }},
+        {ResizeFilter::CatmullRom, reference::CatmullRom}};
+    for (const auto& [filter, kernel] : filters) {
+        Enlarge enlarge(TestDevice(), kSource, kResult, filter);
+        const Texels result =
+            RunOnDevice(kSource, source, [&](CommandList& commands, const Image& texels) -> const Image& {
+                return enlarge.Record(commands, texels);
+            });
+        for (uint32_t y = 0; y < kResult.heightTexels; y++)
+            for (uint32_t x = 0; x < kResult.widthTexels; x++) {
+                const auto expected =
+                    reference::CubicSum(image, (x + 0.5) * 20 / 53, (y + 0.5) * 14 / 61, kernel, kernel);
+                for (int c = 0; c < 4; c++)
+                    ASSERT_NEAR(result[y * 53 + x][c], expected[c], 1e-5) << static_cast<int>(filter);
+            }
+    }
+}
+
+// The share of a zone plate's contrast that a smaller picture keeps where it can not hold the rings.
+TEST(Resize, SmallerPicturesDoNotAlias) {
+    constexpr Extent2D kSource{256, 256}, kResult{64, 64};
+    reference::CodeImage plate{256, 256, {}};
+    for (int y = 0; y < 256; y++)
+        for (int x = 0; x < 256; x++) {
+            const double r2 = (x - 127.5) * (x - 127.5) + (y - 127.5) * (y - 127.5);
+            const auto code = static_cast<int64_t>(std::round(127.5 + 127.5 * std::cos(r2 * 3.14159265 / 256)));
+            plate.texels.push_back({code, code, code, code});
+        }
+    const DeviceCodes codes(plate, SATPrecision::U64);
+    const auto contrast = [&](auto&& record) {
+        CommandList commands(TestDevice());
+        const Image& result = record(commands);
+        commands.SubmitAndWait();
+        const Texels texels = Download(result);
+        double sum = 0;
+        int count = 0;
+        // A texel of the result holds rings up to 32 of its texels from the middle; beyond 20 the plate has finer
+        // ones.
+        for (int y = 0; y < 64; y++)
+            for (int x = 0; x < 64; x++) {
+                const double r = std::hypot(x - 31.5, y - 31.5);
+                if (r < 20 || r > 31) continue;
+                sum += std::pow(texels[static_cast<size_t>(y * 64 + x)].x - 0.5, 2);
+                count++;
+            }
+        return std::sqrt(sum / count) / std::sqrt(0.125);
+    };
+    Texels light;
+    for (const auto& texel : plate.texels)
+        light.push_back(glm::vec4(static_cast<float>(texel[0]) / 255));
+    const Image image = Upload(kSource, light);
+    Enlarge nearest(TestDevice(), kSource, kResult, ResizeFilter::Nearest);
+    const double aliased =
+        contrast([&](CommandList& commands) -> const Image& { return nearest.Record(commands, image); });
+    EXPECT_GT(aliased, 0.9) << "the plate shows nothing";
+    for (const auto& [order, bound] : {std::pair(2u, 0.12), std::pair(3u, 0.05)}) {
+        Shrink shrink(TestDevice(),
+                      {.source = kSource, .result = kResult, .order = order, .codes = {255, 255, false}});
+        const double left =
+            contrast([&](CommandList& commands) -> const Image& { return shrink.Record(commands, codes.Words()); });
+        RecordProperty(fmt::format("order_{}", order), fmt::format("{:.4f}", left));
+        EXPECT_LE(left, bound) << order;
+    }
+}
+
+TEST(Resize, OffsetsInCppEqualThoseInTheShaders) {
+    const Offsets table = {OFFSET(ResizeConstants, extentTexels), OFFSET(ResizeConstants, stepTexels),
+                           OFFSET(ResizeConstants, order), OFFSET(ResizeConstants, codeScale),
+                           OFFSET(ResizeConstants, isSigned)};
+    EXPECT_EQ(OffsetsIn("shaders/resize_table.ps"), table);
+    EXPECT_EQ(OffsetsIn("shaders/bspline_prefilter.ps"), (Offsets{OFFSET(BSplinePrefilterConstants, stepTexels)}));
+}
+
+}  // namespace
+}  // namespace boxcar
