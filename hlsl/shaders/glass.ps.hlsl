@@ -6,12 +6,21 @@
 
 Texture2D<float4> back : register(t0);  // red: distance of the far side
 Texture2D<uint4> table : register(t1);  // of the picture so far
+#if WORDS == 2
+Texture2D<uint4> tableHigh : register(t2);
+#endif
+
+static const float kWidestOverHeight = 0.94;  // what the table's words are chosen for, times the picture's height
 
 // g.optionA: width in texels that a unit of glass gives, a unit away from the eye; g.optionB: codes of 1; g.optionC: how
 // far the picture is displaced, in the same texels.
 float4 main(SceneVertex i) : SV_Target0
 {
+#if WORDS == 2
+    SATExactTable words = SATTable64(table, tableHigh, false);
+#else
     SATExactTable words = SATTable32(table);
+#endif
     int2 extentTexels;
     table.GetDimensions(extentTexels.x, extentTexels.y);
     float3 ray = i.positionWorld - g.eyeWorld;
@@ -26,7 +35,7 @@ float4 main(SceneVertex i) : SV_Target0
     float2 centre = i.position.xy - slope * g.optionC * thicknessWorld;
     centre = clamp(centre, 0.5, float2(extentTexels) - 0.5);
 
-    float widthTexels = clamp(g.optionA * thicknessWorld / distanceWorld, 1.0, 256.0);
+    float widthTexels = clamp(g.optionA * thicknessWorld / distanceWorld, 1.0, max(1.0, kWidestOverHeight * extentTexels.y));
     SATBox box = SATClipBox(SATFrameAtCorner(extentTexels, SAT_EDGE_CLIP), SATBoxAt(centre, float2(widthTexels, widthTexels)));
     float3 behind = SATSumBox(words, SATFrameAtCorner(extentTexels, SAT_EDGE_CLIP), box).rgb / (SATBoxArea(box) * g.optionB);
 

@@ -1,14 +1,14 @@
 // texture_halve.ps: the next mip level of a texture that is repeated.
 //
-//   box       the mean of the 2 x 2 texels under it
-//   binomial  of 4 x 4, weighted 1 3 3 1 on either axis
+//   BOX       the mean of the 2 x 2 texels under it
+//   BINOMIAL  of 4 x 4, weighted 1 3 3 1 on either axis
 //
 // Crow 1984, sect. 4 (unweighted means, and what a filter might do)
 #include "boxcar/texel.hlsli"
 #include "shaders/quad_io.hlsli"
 
-#define box 2
-#define binomial 4
+#define BOX 2
+#define BINOMIAL 4
 
 Texture2D<float4> finer : register(t0);
 
@@ -26,7 +26,7 @@ float4 main(QuadVertex i) : SV_Target0
         {
             int2 texel = first + int2(x, y);
             texel -= extentTexels * int2(floor(float2(texel) / float2(extentTexels)));
-            float weight = KERNEL == box ? 1.0 : kWeights[x] * kWeights[y];
+            float weight = KERNEL == BOX ? 1.0 : kWeights[x] * kWeights[y];
             sum += weight * finer.Load(int3(texel, 0));
             total += weight;
         }

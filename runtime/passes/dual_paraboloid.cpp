@@ -25,6 +25,7 @@ Extent2D Square(uint32_t side) {
 
 // As many codes as the sum under the largest kernel leaves, and at the most 40 bits: half floats need no more.
 float CodeScaleOf(const DualParaboloidTablesDesc& desc) {
+    BOXCAR_ASSERT(desc.largestTexels >= 1 && desc.largestTexels <= desc.sideTexels);
     const double mass = std::pow(static_cast<double>(desc.largestTexels), 2.0 * desc.order);
     const double largestCode = std::min(std::ldexp(1.0, 40), std::ldexp(1.0, 63) / mass);
     if (largestCode < kLargestWeight)

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <filesystem>
 
 #include "samples/files/color.h"
 
@@ -37,6 +38,18 @@ CheckedDevice::CheckedDevice(const DeviceOptions& options)
 
 void CheckedDevice::RequireClean() const {
     if (messages > 0) throw Error("the validation layer had {} messages", messages);
+}
+
+void AddFormatOption(CLI::App& command, std::string& word) {
+    command.add_option("--format", word, "Format of the output, instead of its name's ending")
+        ->check(CLI::IsMember({"png", "jpg", "jpeg", "exr", "pfm"}))
+        ->type_name("F");
+}
+
+void RequireFolder(const std::string& path) {
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    if (path != "-" && !folder.empty() && !std::filesystem::is_directory(folder))
+        throw Error("{}: there is no folder {}", path, folder.string());
 }
 
 void AddReadOptions(CLI::App& command, ReadOptions& options) {

@@ -37,6 +37,13 @@ struct CheckedDevice {
     Device device;
 };
 
+// --format: of the output, instead of its name's ending.
+void AddFormatOption(CLI::App& command, std::string& word);
+
+// Throws Error where the folder that `path` is to be written into does not exist, so that it can be known before the
+// work.
+void RequireFolder(const std::string& path);
+
 // Flags of every command that reads a picture.
 struct ReadOptions {
     std::string transferWord = "auto";

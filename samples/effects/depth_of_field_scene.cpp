@@ -85,10 +85,6 @@ PipelineDesc LensShaders(int hidden) {
     return desc;
 }
 
-PipelineDesc QuadShaders(const char* pixel) {
-    return {.vertex = passes_shaders::Find("shaders/quad.vs"), .pixel = passes_shaders::Find(pixel)};
-}
-
 // One point of `kViews` that fill a disc of radius 1 evenly.
 glm::vec2 LensPoint(uint32_t view) {
     const float radius = std::sqrt((static_cast<float>(view) + 0.5f) / kViews);
@@ -134,8 +130,8 @@ private:
 class Mips {
 public:
     Mips(Device& device, Extent2D extent)
-        : m_half(device, QuadShaders("shaders/half.ps")),
-          m_look(device, QuadShaders("shaders/lens_mips.ps")),
+        : m_half(device, QuadShaders("half.ps")),
+          m_look(device, QuadShaders("lens_mips.ps")),
           m_mips(device, {.extent = extent, .name = "mips", .levels = MipLevels(extent)}),
           m_result(device, {extent, Format::RGBA32F, "picture"}) {
         for (uint32_t level = 1; level < m_mips.Desc().levels; level++)
@@ -170,7 +166,7 @@ private:
 class Accumulation {
 public:
     Accumulation(Device& device, Extent2D extent)
-        : m_add(device, QuadShaders("shaders/lens_views.ps")), m_sum(device, {extent, Format::RGBA32F, "sum"}) {
+        : m_add(device, QuadShaders("lens_views.ps")), m_sum(device, {extent, Format::RGBA32F, "sum"}) {
         for (uint32_t i = 0; i < kAtOnce; i++)
             m_views.emplace_back(device, ImageDesc{extent, Format::RGBA32F, "view"});
     }
@@ -261,7 +257,7 @@ private:
             AddStage("hidden", *m_hidden);
             const Image& picture = m_layered->Record(commands, m_nearest, &*m_hidden, lens, 1 / kNearestWorld,
                                                      frame.values.Whole("layers"));
-            AddStage("farthest layer", m_layered->Layer());
+            AddStage("farthest-layer", m_layered->Layer());
             return picture;
         }
         if (m_single) return m_single->Record(commands, m_nearest, lens);

@@ -33,7 +33,7 @@ public:
           m_sphere(UploadMesh(device, Sphere(1, 48, 24), "sphere")),
           m_depth(device, {{m_side, m_side}, Format::Depth32F, "depth"}),
           m_picture(device, {inputs.extent, Format::RGBA32F, "picture"}) {
-        for (const char* name : {"front, direct", "back, direct"})
+        for (const char* name : {"front-direct", "back-direct"})
             m_faces.emplace_back(device, ImageDesc{{m_side, m_side}, Format::RGBA32F, name});
     }
 
@@ -45,8 +45,8 @@ private:
             {.mesh = &m_sphere, .offsetWorld = {0.5f, -0.5f, -1.1f}, .scale = 0.35f, .albedo = {0.8f, 0.2f, 0.15f}},
             {.mesh = &m_sphere, .offsetWorld = {-0.6f, 0.3f, 1.0f}, .scale = 0.3f, .albedo = {0.2f, 0.35f, 0.8f}}};
         const DualParaboloidFaces viaCube = m_paraboloid.Record(commands, m_surroundings.Record(commands, objects));
-        AddStage("front, cube", *viaCube.front);
-        AddStage("back, cube", *viaCube.back);
+        AddStage("front-cube", *viaCube.front);
+        AddStage("back-cube", *viaCube.back);
         for (size_t face = 0; face < 2; face++) {
             for (SceneObject& object : objects) {
                 object.optionA = static_cast<float>(face);

@@ -60,7 +60,7 @@ private:
                     objects, clip * mirror, m_camera.eyeWorld);
         AddStage("reflected", m_reflected);
         const TexelWords table = m_table.Record(commands, m_reflected);
-        AddStage("table", *table.low);
+        AddTableStages("table", table);
 
         DrawObjects(commands,
                     {.name = "direct",

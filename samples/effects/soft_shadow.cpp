@@ -22,19 +22,6 @@ constexpr float kLampDistance = 7;
 constexpr float kLampReach = 3.5f;  // things cast shadows up to this far before and behind the middle of the scene
 constexpr float kLampAngleRadians = 0.9f;
 
-PipelineDesc QuadShaders(const std::string& pixel, std::vector<Format> targets = {Format::RGBA32F}) {
-    return {.vertex = passes_shaders::Find("shaders/quad.vs"),
-            .pixel = passes_shaders::Find("shaders/" + pixel),
-            .targets = std::move(targets)};
-}
-
-PipelineDesc SceneShaders(const std::string& pixel, std::vector<Format> targets = {Format::RGBA32F}) {
-    return {.vertex = passes_shaders::Find("shaders/scene.vs"),
-            .pixel = passes_shaders::Find("shaders/" + pixel),
-            .targets = std::move(targets),
-            .testsDepth = true};
-}
-
 Extent2D MapExtent(const ParameterValues& values) {
     const auto side = static_cast<uint32_t>(values.Whole("map"));
     return {side, side};
@@ -134,7 +121,7 @@ private:
                            .reads = {{"depth", &m_map}},
                            .writes = {&m_low, &m_high}});
             const TexelWords table = m_table.Record(commands, {m_low, m_high});
-            AddStage("table", *table.low);
+            AddTableStages("table", table);
             light.reads.insert(light.reads.end(), {{"table", table.low}, {"tableHigh", table.high}});
         }
         commands.Draw(light);

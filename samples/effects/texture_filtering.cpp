@@ -26,16 +26,6 @@ constexpr float kPlaneRepeats = 2.5f;  // to one of the ellipsoid's
 
 enum Filter { Nearest, Bilinear, Mip, MipFiltered, Anisotropic, Table, Reference };
 
-PipelineDesc QuadShaders(const std::string& pixel) {
-    return {.vertex = passes_shaders::Find("shaders/quad.vs"), .pixel = passes_shaders::Find("shaders/" + pixel)};
-}
-
-PipelineDesc SceneShaders(const std::string& pixel) {
-    return {.vertex = passes_shaders::Find("shaders/scene.vs"),
-            .pixel = passes_shaders::Find("shaders/" + pixel),
-            .testsDepth = true};
-}
-
 // A sphere that is longer along its axis.
 MeshData Ellipsoid() {
     const glm::vec3 radii(0.8f, 1.2f, 0.8f);
@@ -111,8 +101,8 @@ public:
           m_anisotropic(device, SceneShaders("texture_sampled.ps.SAMPLER=anisotropicRepeat")),
           m_fromTable(device, SceneShaders("texture_table.ps")),
           m_pattern(device, {kTexture, Format::RGBA32F, "pattern"}),
-          m_mips(device, "box"),
-          m_filteredMips(device, "binomial"),
+          m_mips(device, "BOX"),
+          m_filteredMips(device, "BINOMIAL"),
           m_table(device, {.extent = kTexture, .codes = {.scale = 255, .largest = 255}}),
           m_picture(device, {inputs.extent, Format::RGBA32F, "picture"}),
           m_depth(device, {inputs.extent, Format::Depth32F, "depth"}) {}

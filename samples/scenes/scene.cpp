@@ -15,10 +15,17 @@ SceneConstants ConstantsOf(const SceneObject& object, const glm::mat4& clipFromW
             eyeWorld,          object.optionC};
 }
 
-PipelineDesc SceneShaders(const std::string& pixel) {
+PipelineDesc SceneShaders(const std::string& pixel, std::vector<Format> targets) {
     return {.vertex = passes_shaders::Find("shaders/scene.vs"),
             .pixel = passes_shaders::Find("shaders/" + pixel),
+            .targets = std::move(targets),
             .testsDepth = true};
+}
+
+PipelineDesc QuadShaders(const std::string& pixel, std::vector<Format> targets) {
+    return {.vertex = passes_shaders::Find("shaders/quad.vs"),
+            .pixel = passes_shaders::Find("shaders/" + pixel),
+            .targets = std::move(targets)};
 }
 
 void DrawObjects(CommandList& commands, Pass first, std::span<const SceneObject> objects,

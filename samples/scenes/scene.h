@@ -26,7 +26,10 @@ struct SceneObject {
 SceneConstants ConstantsOf(const SceneObject& object, const glm::mat4& clipFromWorld, glm::vec3 eyeWorld);
 
 // Shaders for objects: scene.vs and "shaders/`pixel`", with a depth test.
-PipelineDesc SceneShaders(const std::string& pixel);
+PipelineDesc SceneShaders(const std::string& pixel, std::vector<Format> targets = {Format::RGBA32F});
+
+// Shaders for images: quad.vs and "shaders/`pixel`".
+PipelineDesc QuadShaders(const std::string& pixel, std::vector<Format> targets = {Format::RGBA32F});
 
 // Draws each object as `first` says, with its mesh and constants; what `first` clears is cleared once.
 void DrawObjects(CommandList& commands, Pass first, std::span<const SceneObject> objects,

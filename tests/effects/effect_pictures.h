@@ -15,6 +15,13 @@ namespace boxcar {
 
 using Settings = std::vector<std::pair<std::string, std::string>>;  // name, value; the rest is at its initial value
 
+inline std::vector<std::string> EffectNames() {
+    std::vector<std::string> names;
+    for (const EffectInfo& info : Effects())
+        names.emplace_back(info.name);
+    return names;
+}
+
 class EffectPictures {
 public:
     // With the bunny in venice, where the effect takes them. `fixed` holds for every picture.

@@ -18,13 +18,6 @@ bool IsFinite(const glm::vec4& texel) {
     return std::isfinite(texel.x) && std::isfinite(texel.y) && std::isfinite(texel.z) && std::isfinite(texel.w);
 }
 
-std::vector<std::string> EffectNames() {
-    std::vector<std::string> names;
-    for (const EffectInfo& info : Effects())
-        names.emplace_back(info.name);
-    return names;
-}
-
 class EveryEffect : public testing::TestWithParam<std::string> {};
 
 TEST_P(EveryEffect, IsFiniteAtEverySizeWithoutAValidationMessage) {

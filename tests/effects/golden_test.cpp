@@ -36,13 +36,6 @@ bool IsBlessing() {
     return std::getenv("BOXCAR_BLESS") != nullptr;
 }
 
-std::vector<std::string> EffectNames() {
-    std::vector<std::string> names;
-    for (const EffectInfo& info : Effects())
-        names.emplace_back(info.name);
-    return names;
-}
-
 class Golden : public testing::TestWithParam<std::string> {};
 
 TEST_P(Golden, IsWhatItWas) {
