@@ -1,5 +1,6 @@
 #include "runtime/passes/dual_paraboloid.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "hlsl/boxcar/sat_range.h"

@@ -1,5 +1,6 @@
 #include "samples/cli/effect_run.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 

@@ -2,6 +2,7 @@
 #include <stb_easy_font.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "samples/cli/effect_run.h"

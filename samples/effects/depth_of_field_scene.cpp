@@ -9,6 +9,7 @@
 //   sharp         one view from its middle
 //
 // Hensley 2005, sect. 5.4 (Fig. 9); Demers 2004 (noise); Green 2003; Haeberli and Akeley 1990 (accumulation)
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

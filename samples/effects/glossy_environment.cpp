@@ -4,6 +4,7 @@
 //   reflections
 //
 // Hensley 2005, sect. 5.1 (Figs 5, 6); Scheuermann 2005
+#include <algorithm>
 #include <cmath>
 
 #include "passes_shaders.h"

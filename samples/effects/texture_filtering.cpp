@@ -4,6 +4,7 @@
 //   reference: 64 x (pattern  ->  scene, 2 x 2 samples a pixel)  ->  their mean
 //
 // Crow 1984, sect. 2 and 4 (Figs 3 to 7)
+#include <algorithm>
 #include <cmath>
 
 #include "hlsl/constants/effect_constants.h"

@@ -1,5 +1,6 @@
 #include "samples/scenes/scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 

@@ -1,5 +1,6 @@
 #include "samples/scenes/surroundings.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>

@@ -1,6 +1,7 @@
 // boxcar render, sweep, inspect, list and fit-lobe.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 

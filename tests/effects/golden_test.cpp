@@ -4,6 +4,7 @@
 //   BOXCAR_BLESS=1 test_effects --gtest_filter='*Golden*'   writes them anew: only on lavapipe, and look at them
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>

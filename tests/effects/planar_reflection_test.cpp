@@ -1,6 +1,7 @@
 // The reflection on a floor, and glass, against what they must be in any scene.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
