@@ -30,6 +30,13 @@ public:
           m_fixed(std::move(fixed)),
           m_effect(m_info.make(TestDevice(), InputsFor(m_info, extent), ValuesOf({}))) {}
 
+    // What an effect is made for where nothing else is asked: the bunny, venice.
+    static EffectInputs InputsFor(const EffectInfo& info, Extent2D extent) {
+        return {.extent = extent,
+                .environment = info.takesEnvironment ? SampleEnvironment("venice") : Environment(),
+                .mesh = info.takesMesh ? SampleMesh("bunny") : MeshData()};
+    }
+
     Texels Picture(const Settings& settings = {}, double timeSeconds = 0) {
         const ParameterValues values = ValuesOf(settings);
         CommandList commands(TestDevice());
@@ -46,12 +53,6 @@ public:
     }
 
 private:
-    static EffectInputs InputsFor(const EffectInfo& info, Extent2D extent) {
-        return {.extent = extent,
-                .environment = info.takesEnvironment ? SampleEnvironment("venice") : Environment(),
-                .mesh = info.takesMesh ? SampleMesh("bunny") : MeshData()};
-    }
-
     ParameterValues ValuesOf(const Settings& settings) const {
         ParameterValues values(m_info.parameters);
         for (const Settings& list : {m_fixed, settings})
