@@ -8,8 +8,6 @@
 #ifndef BOXCAR_BOX_STACK_HLSLI
 #define BOXCAR_BOX_STACK_HLSLI
 
-#define BOX_STACK_LARGEST 6
-
 // Half-width of each box in sigma, and the weight of its mean. Relative L2 error of k boxes: 52.9, 33.3, 25.9, 22.1, 20.0,
 // 18.6 %.
 static const float2 kBoxStacks[21] =

@@ -4,7 +4,7 @@
 #include "boxcar/texel.hlsli"
 #include "shaders/quad_io.hlsli"
 
-Texture2D<float4> source : register(t0);
+Texture2D<float4> finer : register(t0);
 
 // Weights of texels 2 i, 2 i + 1 and 2 i + 2.
 float3 HalfWeights(int i, int sizeTexels)
@@ -21,14 +21,14 @@ float3 HalfWeights(int i, int sizeTexels)
 float4 main(QuadVertex v) : SV_Target0
 {
     int2 extentTexels;
-    source.GetDimensions(extentTexels.x, extentTexels.y);
+    finer.GetDimensions(extentTexels.x, extentTexels.y);
     int2 texel = TexelFromEdge(v.position.xy);
     float3 weightsX = HalfWeights(texel.x, extentTexels.x), weightsY = HalfWeights(texel.y, extentTexels.y);
     float4 mean = (float4)0;
     for (int y = 0; y < 3; y++)
     {
         for (int x = 0; x < 3; x++)
-            mean += weightsX[x] * weightsY[y] * source.Load(int3(min(2 * texel + int2(x, y), extentTexels - 1), 0));
+            mean += weightsX[x] * weightsY[y] * finer.Load(int3(min(2 * texel + int2(x, y), extentTexels - 1), 0));
     }
     return mean;
 }

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "passes_shaders.h"
 #include "runtime/passes/dual_paraboloid.h"
+#include "runtime/passes/quad_shaders.h"
 #include "runtime/transfer.h"
 #include "samples/effects/effects.h"
 #include "samples/scenes/shapes.h"
@@ -57,7 +57,7 @@ DualParaboloidTablesDesc TablesFor(std::string_view lobe, uint32_t side, float l
 // The papers' tables: floats, what is outside of the disc 0.
 struct FloatTables {
     FloatTables(Device& device, uint32_t side)
-        : mask(device, {passes_shaders::Find("shaders/quad.vs"), passes_shaders::Find("shaders/dp_mask.ps")}),
+        : mask(device, QuadShaders("dp_mask.ps")),
           masked(device, {{side, side}, Format::RGBA32F, "masked face"}),
           front(device, {.extent = {side, side}}),
           back(device, {.extent = {side, side}}) {}

@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "hlsl/constants/effect_constants.h"
-#include "passes_shaders.h"
-#include "samples/scenes/scene.h"
+#include "runtime/passes/quad_shaders.h"
 #include "tools/layout/error.h"
 
 namespace boxcar {
@@ -95,13 +94,11 @@ void LayeredDepthOfField::Put(CommandList& commands, const Image& nearest, const
         .codeScale = kLensCodes.scale,
         .opacity = opacity,
         .isLast = isLast};
-    Pass pass{.name = "over",
-              .pipeline = m_over,
-              .reads = {{"table", table.low}, {"before", &m_light.Front()}},
-              .writes = {&m_light.Back()},
-              .constants = ConstantBytes(constants)};
-    if (table.high) pass.reads.push_back({"tableHigh", table.high});
-    commands.Draw(pass);
+    commands.Draw({.name = "over",
+                   .pipeline = m_over,
+                   .reads = TableReads(table, {{"before", &m_light.Front()}}),
+                   .writes = {&m_light.Back()},
+                   .constants = ConstantBytes(constants)});
     m_light.Swap();
 }
 

@@ -3,8 +3,8 @@
 //   scene  ->  dp_scene.vs  ->  front, back     |     scene  ->  cube map  ->  dual paraboloid  ->  front, back
 //
 // Scheuermann 2005 (direct rendering of the faces); Hensley 2005, sect. 5.1.1
-#include "passes_shaders.h"
 #include "runtime/passes/dual_paraboloid.h"
+#include "runtime/passes/quad_shaders.h"
 #include "samples/effects/effects.h"
 #include "samples/scenes/shapes.h"
 #include "samples/scenes/surroundings.h"
@@ -27,7 +27,7 @@ public:
           m_surroundings(device, {{2, 1}, {glm::vec4(0), glm::vec4(0)}}, m_side),
           m_paraboloid(device, m_side),
           m_direct(device, DirectShaders()),
-          m_pair(device, {passes_shaders::Find("shaders/quad.vs"), passes_shaders::Find("shaders/dp_pair.ps")}),
+          m_pair(device, QuadShaders("dp_pair.ps")),
           m_room(
               UploadMesh(device, Subdivided(Room(4), static_cast<uint32_t>(values.Whole("subdivisions"))), "room")),
           m_sphere(UploadMesh(device, Sphere(1, 48, 24), "sphere")),

@@ -16,9 +16,7 @@ namespace boxcar {
 namespace {
 
 constexpr SATCodes kCodes{65535 / 2.0f, 65535, false};  // light up to 2
-constexpr float kAngleRadians = 0.62f;
 constexpr float kLargestEtching = 1, kThickestOverDistance = 0.6f;
-constexpr glm::vec3 kSky{0.52f, 0.62f, 0.75f};
 
 PipelineDesc FarSides() {
     PipelineDesc desc = SceneShaders("glass_back.ps");
@@ -29,7 +27,7 @@ PipelineDesc FarSides() {
 class Translucency : public Effect {
 public:
     Translucency(Device& device, const EffectInputs& inputs, const ParameterValues&)
-        : m_focalTexels(static_cast<float>(inputs.extent.heightTexels) / (2 * std::tan(kAngleRadians / 2))),
+        : m_focalTexels(TexelsAtDepthOne(m_camera, inputs.extent)),
           m_precision(SATExactPrecision(glm::vec2(WidestTexels()), 1, false, kCodes)),
           m_opaque(device, SceneShaders("scene.ps")),
           m_farSides(device, FarSides()),
@@ -45,11 +43,7 @@ public:
 
 private:
     const Image& Draw(CommandList& commands, const Frame& frame) override {
-        const Camera camera{.eyeWorld = {0, 1.25f, 4.4f},
-                            .targetWorld = {0, 0.62f, 0},
-                            .verticalAngleRadians = 0.62f,
-                            .farDepth = 60};
-        const glm::mat4 clip = ClipFromWorld(camera, m_picture.Extent());
+        const glm::mat4 clip = ClipFromWorld(m_camera, m_picture.Extent());
         const auto time = static_cast<float>(frame.timeSeconds);
         DrawObjects(commands,
                     {.name = "scene",
@@ -58,11 +52,12 @@ private:
                      .depth = &m_depth,
                      .clearColor = glm::vec4(kSky, 1),
                      .clearsDepth = true},
-                    OpaqueObjects(), clip, camera.eyeWorld);
+                    OpaqueObjects(), clip, m_camera.eyeWorld);
         std::vector<SceneObject> glass = GlassObjects(time, frame.values);
         std::ranges::sort(glass, std::greater(), [&](const SceneObject& object) {
-            return glm::distance(object.offsetWorld, camera.eyeWorld);
+            return glm::distance(object.offsetWorld, m_camera.eyeWorld);
         });
+        TexelWords table = m_picture;  // of the object drawn last
         for (const SceneObject& object : glass) {
             DrawObjects(commands,
                         {.name = "far side",
@@ -71,17 +66,17 @@ private:
                          .depth = &m_backDepth,
                          .clearColor = glm::vec4(0),
                          .clearsDepth = true},
-                        std::span(&object, 1), clip, camera.eyeWorld);
-            m_lastTable = m_table.Record(commands, m_picture);
-            std::vector<Read> reads = {{"back", &m_back}, {"table", m_lastTable.low}};
-            if (m_lastTable.high) reads.push_back({"tableHigh", m_lastTable.high});
-            DrawObjects(
-                commands,
-                {.name = "glass", .pipeline = m_glass, .reads = reads, .writes = {&m_picture}, .depth = &m_depth},
-                std::span(&object, 1), clip, camera.eyeWorld);
+                        std::span(&object, 1), clip, m_camera.eyeWorld);
+            table = m_table.Record(commands, m_picture);
+            DrawObjects(commands,
+                        {.name = "glass",
+                         .pipeline = m_glass,
+                         .reads = TableReads(table, {{"back", &m_back}}),
+                         .writes = {&m_picture},
+                         .depth = &m_depth},
+                        std::span(&object, 1), clip, m_camera.eyeWorld);
         }
-        // Of the object drawn last, the nearest.
-        AddTableStages("table", m_lastTable);
+        AddTableStages("table", table);
         AddStage("far-side", m_back);
         return m_picture;
     }
@@ -121,13 +116,14 @@ private:
     // Of the blur, through the thickest glass in front of the camera at the largest etching.
     float WidestTexels() const { return kLargestEtching * m_focalTexels * kThickestOverDistance; }
 
+    Camera m_camera{
+        .eyeWorld = {0, 1.25f, 4.4f}, .targetWorld = {0, 0.62f, 0}, .verticalAngleRadians = 0.62f, .farDepth = 60};
     float m_focalTexels;
     SATPrecision m_precision;
     Pipeline m_opaque, m_farSides, m_glass;
     Mesh m_object, m_sphere, m_ground;
     Image m_picture, m_back, m_depth, m_backDepth;
     ExactTable m_table;
-    TexelWords m_lastTable{m_picture};
 };
 
 }  // namespace

@@ -23,12 +23,6 @@ PipelineDesc SceneShaders(const std::string& pixel, std::vector<Format> targets)
             .testsDepth = true};
 }
 
-PipelineDesc QuadShaders(const std::string& pixel, std::vector<Format> targets) {
-    return {.vertex = passes_shaders::Find("shaders/quad.vs"),
-            .pixel = passes_shaders::Find("shaders/" + pixel),
-            .targets = std::move(targets)};
-}
-
 void DrawObjects(CommandList& commands, Pass first, std::span<const SceneObject> objects,
                  const glm::mat4& clipFromWorld, glm::vec3 eyeWorld) {
     for (const SceneObject& object : objects) {

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
-#include "passes_shaders.h"
+#include "runtime/passes/quad_shaders.h"
 #include "runtime/transfer.h"
 
 namespace boxcar {
@@ -39,7 +39,7 @@ Image UploadEnvironment(Device& device, const Environment& environment) {
 }  // namespace
 
 Surroundings::Surroundings(Device& device, const Environment& environment, uint32_t sideTexels)
-    : m_backdrop(device, {passes_shaders::Find("shaders/quad.vs"), passes_shaders::Find("shaders/environment.ps")}),
+    : m_backdrop(device, QuadShaders("environment.ps")),
       m_objects(device, SceneShaders("scene.ps")),
       m_environment(UploadEnvironment(device, environment)),
       m_face(device, {{sideTexels, sideTexels}, Format::RGBA32F, "cube face"}),

@@ -55,10 +55,6 @@ glm::dvec3 ReferenceDirection(double u, double v, int face) {
     return glm::dvec3(2 * x, 2 * y, (face == 0 ? s - 1 : 1 - s)) / (s + 1);
 }
 
-double Channel(const glm::vec4& texel, int c) {
-    return texel[c];
-}
-
 TEST(DualParaboloid, EveryPlaceOfAFaceIsADirectionAndBack) {
     constexpr Extent2D kExtent{96, 96};
     for (const int face : {0, 1}) {
@@ -294,7 +290,7 @@ TEST(DualParaboloid, AConstantEnvironmentStaysConstant) {
             const Texels light = reflections.Sample(lobe, DirectionsAllOver(), width);
             for (const glm::vec4& texel : light)
                 for (int c = 0; c < 3; c++)
-                    ASSERT_NEAR(Channel(texel, c) / kLight[c], 1, 1e-4) << lobe << ", width " << width;
+                    ASSERT_NEAR(static_cast<double>(texel[c]) / kLight[c], 1, 1e-4) << lobe << ", width " << width;
         }
     }
 }
@@ -320,7 +316,7 @@ TEST(DualParaboloid, ThePapersLookupKeepsAConstantWithinItsBound) {
         double largest = 0;
         for (const glm::vec4& texel : light)
             for (int c = 0; c < 3; c++)
-                largest = std::max(largest, std::abs(Channel(texel, c) / kLight[c] - 1));
+                largest = std::max(largest, std::abs(static_cast<double>(texel[c]) / kLight[c] - 1));
         RecordProperty(fmt::format("width_{}", width), fmt::format("{}", largest));
         EXPECT_LE(largest, bound) << width;
         EXPECT_GT(largest, 1e-6) << "floats would be exact";
