@@ -1,7 +1,6 @@
 #include "samples/cli/effect_run.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "samples/cli/device_run.h"
@@ -10,23 +9,7 @@
 namespace boxcar {
 namespace {
 
-constexpr uint32_t kMaxSideTexels = 8192;
 constexpr double kLargestTime = 1e6;  // scenes move by floats
-
-Extent2D ParseExtent(const std::string& text) {
-    Extent2D extent;
-    const char* const end = text.data() + text.size();
-    const auto width = std::from_chars(text.data(), end, extent.widthTexels);
-    bool isRight = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
-    if (isRight) {
-        const auto height = std::from_chars(width.ptr + 1, end, extent.heightTexels);
-        isRight = height.ec == std::errc() && height.ptr == end;
-    }
-    const auto fits = [](uint32_t side) { return side >= 1 && side <= kMaxSideTexels; };
-    if (!isRight || !fits(extent.widthTexels) || !fits(extent.heightTexels))
-        throw UsageError("--size {}: expected WxH, two whole numbers from 1 to {}", text, kMaxSideTexels);
-    return extent;
-}
 
 Environment ReadEnvironment(const std::string& name) {
     if (name == "city" || name == "studio" || name == "venice") return SampleEnvironment(name);

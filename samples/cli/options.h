@@ -96,4 +96,10 @@ constexpr float kMaxSizeTexels = 32768;
 // "W" or "WxH": real numbers above 0 and at most 32768 (twice the largest side). Throws UsageError naming the flag.
 glm::vec2 ParseSize(const std::string& flag, const std::string& text);
 
+// The largest side of a picture that a command makes.
+constexpr uint32_t kMaxSideTexels = 8192;
+
+// "WxH" of --size: whole numbers from 1 to kMaxSideTexels. Throws UsageError.
+Extent2D ParseExtent(const std::string& text);
+
 }  // namespace boxcar
