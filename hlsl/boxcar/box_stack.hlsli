@@ -1,14 +1,12 @@
 // box_stack.hlsli: boxes of one centre, one inside the other, that stand for a Gaussian.
 //
-// The lobe cos^n on a paraboloid's disc is very nearly a Gaussian of sigma = 0.5 / sqrt(n + 1) (dual_paraboloid.hlsli).
+// The lobe cos^n on a paraboloid's disc is very nearly a Gaussian of sigma = 0.5 / sqrt(n) (dual_paraboloid.hlsli).
 // Widths and weights are those of least error among all nested stacks whose weights add up to 1; `boxcar fit-lobe` finds
 // them for this and for other lobes (LobeFit.TheShadersStacksAreTheBestOnes).
 //
 // Hensley 2005, sect. 5.1.2 and 7 (the fit is their future work)
 #ifndef BOXCAR_BOX_STACK_HLSLI
 #define BOXCAR_BOX_STACK_HLSLI
-
-#define BOX_STACK_LARGEST 6
 
 // Half-width of each box in sigma, and the weight of its mean. Relative L2 error of k boxes: 52.9, 33.3, 25.9, 22.1, 20.0,
 // 18.6 %.
@@ -31,10 +29,13 @@ float2 BoxStack(int boxes, int index)
     return kBoxStacks[boxes * (boxes - 1) / 2 + index];
 }
 
-// BoxStackSigma: standard deviation of the lobe cos^n on a paraboloid's disc, in the disc's units.
+// BoxStackSigma: standard deviation of the lobe cos^n on a paraboloid's disc, in the disc's units, for sums whose texels are
+// weighted by their solid angle (DPWeight). Unweighted sums want n + 1 for n.
+//
+//   exponent  7 at least for four boxes: those of wider lobes are cut at 45 degrees
 float BoxStackSigma(float exponent)
 {
-    return 0.5 / sqrt(exponent + 1.0);
+    return 0.5 / sqrt(exponent);
 }
 
 #endif

@@ -113,17 +113,24 @@ static const float kDPLargestRadius = 0.41421356;  // tan(45 degrees / 2)
 //   dir           length 1
 //   radiusAtPole  tan(t / 2): the radius that it has at the axis; over 0.414 (t = 45 degrees) is taken as that, so that no
 //                 cone that reaches this face comes near the axis of the other one
-//   returns       a circle that is not seen where a - t is 90 degrees or more
+//   returns       a circle that is not seen where a - t is 90 degrees or more, or within 0.1 degrees of that: there, for the
+//                 widest cones, it has no end
 DPCircle DPCircleOf(float3 dir, int face, float radiusAtPole)
 {
     float r = min(radiusAtPole, kDPLargestRadius);
     float cosT = (1.0 - r * r) / (1.0 + r * r);
     float sinT = 2.0 * r / (1.0 + r * r);
     float cosA = DPAxisCosine(dir, face);
-    float denominator = max(cosT + cosA, 1e-3);
+    bool isSeen = cosA > -sinT + 2e-3;
+    float denominator = max(cosT + cosA, 1e-4);
     DPCircle circle;
-    circle.centre = cosA > -sinT ? dir.xy / denominator : float2(2.0, 0.0);
-    circle.radius = cosA > -sinT ? sinT / denominator : 0.0;
+    circle.centre = dir.xy / denominator;
+    circle.radius = sinT / denominator;
+    if (!isSeen)
+    {
+        circle.centre = float2(2.0, 0.0);
+        circle.radius = 0.0;
+    }
     return circle;
 }
 
@@ -142,14 +149,14 @@ SATBox DPBoxOf(DPCircle circle, int sideTexels)
 {
     float2 lo = circle.centre - circle.radius;
     float2 hi = circle.centre + circle.radius;
-    float distance = length(circle.centre);
-    if (distance >= 1.0 + circle.radius)
+    float fromMiddle = length(circle.centre);
+    if (fromMiddle >= 1.0 + circle.radius)
         hi = lo;
-    else if (distance > abs(1.0 - circle.radius))
+    else if (fromMiddle > abs(1.0 - circle.radius))
     {
         // Where the circle cuts the rim; then the ends of either that lie in the other.
-        float2 towards = circle.centre / distance;
-        float along = (1.0 + (distance - circle.radius) * (distance + circle.radius)) / (2.0 * distance);
+        float2 towards = circle.centre / fromMiddle;
+        float along = (1.0 + (fromMiddle - circle.radius) * (fromMiddle + circle.radius)) / (2.0 * fromMiddle);
         float across = sqrt(max(0.0, 1.0 - along * along));
         float2 a = along * towards + across * float2(-towards.y, towards.x);
         float2 b = along * towards - across * float2(-towards.y, towards.x);
@@ -158,10 +165,11 @@ SATBox DPBoxOf(DPCircle circle, int sideTexels)
         {
             float2 outward = float2(i == 0 ? 1.0 : i == 1 ? -1.0 : 0.0, i == 2 ? 1.0 : i == 3 ? -1.0 : 0.0);
             float2 end = circle.centre + circle.radius * outward;
-            bool isOnDisc = dot(end, end) <= 1.0;
-            float2 rim = outward;
-            bool isInCircle = length(rim - circle.centre) <= circle.radius;
-            float2 p = isOnDisc ? end : a, q = isInCircle ? rim : a;
+            float2 p = a, q = a;
+            if (dot(end, end) <= 1.0)
+                p = end;
+            if (length(outward - circle.centre) <= circle.radius)
+                q = outward;
             lensLo = min(lensLo, min(p, q));
             lensHi = max(lensHi, max(p, q));
         }

@@ -33,7 +33,7 @@ SATWide SATWideOfCount(int count)
 // SATMomentsOf: weighted by coverage where an edge cuts a texel.
 //
 //   table    two words, not signed: codes below 2^16 in x, their squares in y; origin (0, 0)
-//   frame    how it lies over the image; CLIP or ZERO
+//   frame    how it lies over the image; CLIP
 //   box      from SATClipBox; not empty
 //
 // Range:  boxes of up to 2^31 texels.

@@ -4,11 +4,6 @@
 #include "boxcar/dual_paraboloid.hlsli"
 #include "shaders/scene_io.hlsli"
 
-float3 Turned(float3 v)
-{
-    return float3(g.turn.x * v.x + g.turn.y * v.z, v.y, g.turn.x * v.z - g.turn.y * v.x);
-}
-
 // g.optionA: the face; g.optionB: the distance that is depth 1.
 SceneVertex main(float3 position : POSITION, float3 normal : NORMAL, float2 uv : TEXCOORD0)
 {

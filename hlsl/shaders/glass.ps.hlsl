@@ -1,17 +1,19 @@
 // glass.ps: etched glass: what lies behind, blurred the more the thicker the glass is, a little displaced and tinted.
 // Hensley 2005, sect. 5.3 (Fig. 8)
-#include "boxcar/sat_exact.hlsli"
 #include "shaders/scene.hlsli"
 #include "shaders/scene_io.hlsli"
+#include "shaders/table_io.hlsli"
 
-Texture2D<float4> back : register(t0);  // red: distance of the far side
-Texture2D<uint4> table : register(t1);  // of the picture so far
+Texture2D<float4> back : register(t2);  // red: distance of the far side
+
+// Codes of 16 bits under a box of 256 x 256 texels fit into 32 bits.
+static const float kWidestTexels = WORDS == 2 ? 32768.0 : 256.0;
 
 // g.optionA: width in texels that a unit of glass gives, a unit away from the eye; g.optionB: codes of 1; g.optionC: how
 // far the picture is displaced, in the same texels.
 float4 main(SceneVertex i) : SV_Target0
 {
-    SATExactTable words = SATTable32(table);
+    SATExactTable words = TableRead(false);  // of the picture so far
     int2 extentTexels;
     table.GetDimensions(extentTexels.x, extentTexels.y);
     float3 ray = i.positionWorld - g.eyeWorld;
@@ -26,9 +28,10 @@ float4 main(SceneVertex i) : SV_Target0
     float2 centre = i.position.xy - slope * g.optionC * thicknessWorld;
     centre = clamp(centre, 0.5, float2(extentTexels) - 0.5);
 
-    float widthTexels = clamp(g.optionA * thicknessWorld / distanceWorld, 1.0, 256.0);
-    SATBox box = SATClipBox(SATFrameAtCorner(extentTexels, SAT_EDGE_CLIP), SATBoxAt(centre, float2(widthTexels, widthTexels)));
-    float3 behind = SATSumBox(words, SATFrameAtCorner(extentTexels, SAT_EDGE_CLIP), box).rgb / (SATBoxArea(box) * g.optionB);
+    float widthTexels = clamp(g.optionA * thicknessWorld / distanceWorld, 1.0, kWidestTexels);
+    SATFrame frame = SATFrameAtCorner(extentTexels, SAT_EDGE_CLIP);
+    SATBox box = SATClipBox(frame, SATBoxAt(centre, float2(widthTexels, widthTexels)));
+    float3 behind = SATSumBox(words, frame, box).rgb / (SATBoxArea(box) * g.optionB);
 
     float3 tint = exp(-thicknessWorld * (1.0 - g.albedo));
     float3 halfway = normalize(kSunWorld - ray / distanceWorld);

@@ -6,15 +6,11 @@
 //
 // Beyond the papers
 #include "boxcar/compat.hlsli"
-#include "boxcar/sat_exact.hlsli"
 #include "constants/effect_constants.h"
 #include "shaders/quad_io.hlsli"
+#include "shaders/table_io.hlsli"
 
 BOXCAR_CONSTANTS(Constants) { LensOverConstants g; };
-Texture2D<uint4> table : register(t0);    // of the layer
-#if WORDS == 2
-Texture2D<uint4> tableHigh : register(t1);
-#endif
 Texture2D<float4> before : register(t2);  // light times coverage; coverage in alpha
 
 // NearestEdge: the whole edge nearest to a point; boxes that share an edge find the same.
@@ -25,11 +21,7 @@ int2 NearestEdge(float2 edgeTexels)
 
 float4 main(QuadVertex i) : SV_Target0
 {
-#if WORDS == 2
-    SATExactTable words = SATTable64(table, tableHigh, false);
-#else
-    SATExactTable words = SATTable32(table);
-#endif
+    SATExactTable words = TableRead(false);  // of the layer
     int2 extentTexels;
     before.GetDimensions(extentTexels.x, extentTexels.y);
     SATFrame frame = SATFrameAtCorner(extentTexels, SAT_EDGE_CLIP);

@@ -1,25 +1,17 @@
 // planar_floor.ps: a glossy floor: matt checks under a reflection that is blurred by how far its rays went.
 // Hensley 2005, sect. 5.2 (Fig. 1)
-#include "boxcar/sat_exact.hlsli"
 #include "boxcar/footprint.hlsli"
 #include "shaders/scene.hlsli"
 #include "shaders/scene_io.hlsli"
+#include "shaders/table_io.hlsli"
 
-Texture2D<float4> reflected : register(t0);  // alpha: height over the floor
-Texture2D<uint4> table : register(t1);
-#if WORDS == 2
-Texture2D<uint4> tableHigh : register(t2);
-#endif
+Texture2D<float4> reflected : register(t2);  // alpha: height over the floor
 
 // g.optionA: width in texels of a ray's cone that is as wide as its distance; g.optionB: of the table, codes of 1;
 // g.optionC: share of the reflection at a right angle.
 float4 main(SceneVertex i) : SV_Target0
 {
-#if WORDS == 2
-    SATExactTable words = SATTable64(table, tableHigh, false);
-#else
-    SATExactTable words = SATTable32(table);
-#endif
+    SATExactTable words = TableRead(false);
     int2 extentTexels;
     reflected.GetDimensions(extentTexels.x, extentTexels.y);
     float3 toEye = g.eyeWorld - i.positionWorld;

@@ -1,4 +1,7 @@
 // reflection.hlsli: what the reflecting objects have in common.
+#ifndef BOXCAR_REFLECTION_HLSLI
+#define BOXCAR_REFLECTION_HLSLI
+
 #include "shaders/scene_io.hlsli"
 
 Texture2D<float4> gloss : register(t4);  // red: share of the width
@@ -15,3 +18,5 @@ float3 ReflectedDirection(SceneVertex i)
 {
     return reflect(normalize(i.positionWorld - g.eyeWorld), normalize(i.normalWorld));
 }
+
+#endif

@@ -4,19 +4,11 @@
 // Hensley 2005, sect. 2 and 4; exactness: beyond the papers
 #include "boxcar/sat_order.hlsli"
 #include "shaders/sat_filter_io.hlsli"
-
-Texture2D<uint4> table : register(t0);
-#if WORDS == 2
-Texture2D<uint4> tableHigh : register(t1);
-#endif
+#include "shaders/table_io.hlsli"
 
 float4 main(QuadVertex i) : SV_Target0
 {
-#if WORDS == 2
-    SATExactTable words = SATTable64(table, tableHigh, g.isSigned != 0);
-#else
-    SATExactTable words = SATTable32(table);
-#endif
+    SATExactTable words = TableRead(g.isSigned != 0);
     SATFrame frame = SATFrameAtCorner(g.extentTexels, EDGE);
     int2 texel = TexelFromEdge(i.position.xy);
     float2 sizeTexels = SizeAt(texel);

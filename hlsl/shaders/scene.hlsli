@@ -35,12 +35,16 @@ float SceneChecks(float2 p)
     return u + v - 2.0 * u * v;
 }
 
-// SceneWallPoint: a point with its x and z along the wall that it is on, for checks on all walls of a room.
+// SceneWallPoint: x and z along the surface that a point is on, for checks on all walls of a room.
 float3 SceneWallPoint(float3 positionWorld, float3 normalWorld)
 {
-    float3 n = abs(normalWorld);
-    float3 p = positionWorld;
-    return n.y >= max(n.x, n.z) ? p : n.x >= n.z ? p.yxz : p.xzy;
+    float3 onSurface = positionWorld;
+    if (abs(normalWorld.y) < 0.7)
+    {
+        float2 across = normalize(float2(normalWorld.z, -normalWorld.x));
+        onSurface = float3(dot(across, positionWorld.xz), 0.0, positionWorld.y);
+    }
+    return onSurface;
 }
 
 // SceneAlbedo: an object's colour at a point: plain, or a board of it and a darker one along x and z.

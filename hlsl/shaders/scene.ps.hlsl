@@ -1,10 +1,7 @@
 // scene.ps: an object in the sample scenes' light.
-#include "shaders/scene.hlsli"
-#include "shaders/scene_io.hlsli"
+#include "shaders/scene_colour.hlsli"
 
 float4 main(SceneVertex i) : SV_Target0
 {
-    float3 normal = normalize(i.normalWorld);
-    float3 albedo = SceneAlbedo(g.albedo, g.checkWorld, SceneWallPoint(i.positionWorld, normal));
-    return float4(albedo * SceneLight(normal, 1.0), 1.0);
+    return float4(SceneColour(i), 1.0);
 }

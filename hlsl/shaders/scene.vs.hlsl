@@ -1,11 +1,6 @@
 // scene.vs: places a mesh in the world.
 #include "shaders/scene_io.hlsli"
 
-float3 Turned(float3 v)
-{
-    return float3(g.turn.x * v.x + g.turn.y * v.z, v.y, g.turn.x * v.z - g.turn.y * v.x);
-}
-
 SceneVertex main(float3 position : POSITION, float3 normal : NORMAL, float2 uv : TEXCOORD0)
 {
     SceneVertex o;

@@ -1,4 +1,7 @@
 // scene_io.hlsli: what scene.vs hands to the pixel shaders, and the constants of both.
+#ifndef BOXCAR_SCENE_IO_HLSLI
+#define BOXCAR_SCENE_IO_HLSLI
+
 #include "boxcar/compat.hlsli"
 #include "constants/scene_constants.h"
 
@@ -11,3 +14,11 @@ struct SceneVertex
 };
 
 BOXCAR_CONSTANTS(Constants) { SceneConstants g; };
+
+// A direction of the mesh, turned about +y as the object is.
+float3 Turned(float3 v)
+{
+    return float3(g.turn.x * v.x + g.turn.y * v.z, v.y, g.turn.x * v.z - g.turn.y * v.x);
+}
+
+#endif

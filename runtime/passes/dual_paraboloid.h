@@ -38,10 +38,8 @@ public:
 
 private:
     Pipeline m_pipeline;
-    std::optional<Pipeline> m_drawDirections;
     std::vector<Image> m_faces;
     std::vector<Image> m_directions;  // Lookup only
-    bool m_hasDirections = false;
 };
 
 struct DualParaboloidTablesDesc {

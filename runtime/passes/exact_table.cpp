@@ -1,7 +1,7 @@
 #include "runtime/passes/exact_table.h"
 
 #include "hlsl/constants/sat_constants.h"
-#include "passes_shaders.h"
+#include "runtime/passes/quad_shaders.h"
 #include "tools/layout/error.h"
 
 namespace boxcar {
@@ -17,10 +17,8 @@ ExactTableDesc Checked(const ExactTableDesc& desc) {
 
 ExactTable::ExactTable(Device& device, const ExactTableDesc& desc)
     : m_desc(Checked(desc)),
-      m_encode(device,
-               {.vertex = passes_shaders::Find("shaders/quad.vs"),
-                .pixel = passes_shaders::Find(fmt::format("shaders/sat_encode.ps.WORDS={}", WordsOf(desc.precision))),
-                .targets = std::vector(WordsOf(desc.precision), Format::RGBA32UI)}),
+      m_encode(device, QuadShaders(fmt::format("sat_encode.ps.WORDS={}", WordsOf(desc.precision)),
+                                   std::vector(WordsOf(desc.precision), Format::RGBA32UI))),
       m_low(device, {desc.extent, Format::RGBA32UI, "codes"}),
       m_table(device, {.extent = desc.extent, .precision = desc.precision, .order = desc.order, .taps = desc.taps}) {
     if (desc.precision == SATPrecision::U64)

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "hlsl/constants/sat_constants.h"
-#include "passes_shaders.h"
+#include "runtime/passes/quad_shaders.h"
 #include "tools/layout/error.h"
 
 namespace boxcar {
@@ -18,11 +18,8 @@ Extent2D Extended(const ExtendedImageDesc& desc) {
 
 ExtendedImage::ExtendedImage(Device& device, const ExtendedImageDesc& desc)
     : m_desc(desc),
-      m_pipeline(
-          device,
-          {.vertex = passes_shaders::Find("shaders/quad.vs"),
-           .pixel = passes_shaders::Find(fmt::format("shaders/sat_extend.ps.WORDS={}", WordsOf(desc.precision))),
-           .targets = std::vector(WordsOf(desc.precision), WordFormat(desc.precision))}),
+      m_pipeline(device, QuadShaders(fmt::format("sat_extend.ps.WORDS={}", WordsOf(desc.precision)),
+                                     std::vector(WordsOf(desc.precision), WordFormat(desc.precision)))),
       m_low(device, {Extended(desc), WordFormat(desc.precision), "extended"}) {
     if (desc.precision == SATPrecision::U64)
         m_high.emplace(device, ImageDesc{Extended(desc), Format::RGBA32UI, "extended, upper words"});

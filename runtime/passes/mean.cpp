@@ -3,14 +3,12 @@
 #include <fmt/format.h>
 
 #include "hlsl/constants/sat_constants.h"
-#include "passes_shaders.h"
+#include "runtime/passes/quad_shaders.h"
 #include "tools/layout/error.h"
 
 namespace boxcar {
 
-Mean::Mean(Device& device, Extent2D extent)
-    : m_extent(extent),
-      m_pipeline(device, {passes_shaders::Find("shaders/quad.vs"), passes_shaders::Find("shaders/mean.ps")}) {
+Mean::Mean(Device& device, Extent2D extent) : m_extent(extent), m_pipeline(device, QuadShaders("mean.ps")) {
     while (extent.widthTexels > 1 || extent.heightTexels > 1) {
         extent = {(extent.widthTexels + 1) / 2, (extent.heightTexels + 1) / 2};
         const std::string name = fmt::format("mean {}", m_levels.size());

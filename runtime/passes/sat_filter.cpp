@@ -6,7 +6,7 @@
 
 #include "hlsl/boxcar/sat_range.h"
 #include "hlsl/constants/sat_constants.h"
-#include "passes_shaders.h"
+#include "runtime/passes/quad_shaders.h"
 #include "runtime/transfer.h"
 #include "tools/layout/error.h"
 
@@ -105,11 +105,10 @@ const Pipeline& SATFilter::PipelineFor(bool whole) {
     const auto found = m_pipelines.find(whole);
     if (found != m_pipelines.end()) return found->second;
     const std::string name = m_desc.precision == SATPrecision::FP32
-                                 ? fmt::format("shaders/sat_filter.ps.EDGE={}", EdgeName(m_desc.edge))
-                                 : fmt::format("shaders/sat_filter_exact.ps.ORDER={}.WHOLE={:d}.WORDS={}.EDGE={}",
+                                 ? fmt::format("sat_filter.ps.EDGE={}", EdgeName(m_desc.edge))
+                                 : fmt::format("sat_filter_exact.ps.ORDER={}.WHOLE={:d}.WORDS={}.EDGE={}",
                                                m_desc.order, whole, WordsOf(m_desc.precision), EdgeName(m_desc.edge));
-    const PipelineDesc shaders{passes_shaders::Find("shaders/quad.vs"), passes_shaders::Find(name)};
-    return m_pipelines.emplace(whole, Pipeline(m_device, shaders)).first->second;
+    return m_pipelines.emplace(whole, Pipeline(m_device, QuadShaders(name))).first->second;
 }
 
 const Image& SATFilter::Record(CommandList& commands, TexelWords table, const SATWidths& widths, const Image* bias) {
@@ -146,11 +145,10 @@ const Image& SATFilter::Record(CommandList& commands, TexelWords table, const SA
                                        largestMass};
     Pass pass{.name = "filter",
               .pipeline = PipelineFor(whole),
-              .reads = {{"table", table.low}, {"widthMap", &map}},
+              .reads = TableReads(table, {{"widthMap", &map}}),
               .writes = {&m_result},
               .constants = ConstantBytes(constants)};
     if (isFloat) pass.reads.push_back({"bias", bias ? bias : &m_zero});
-    if (table.high) pass.reads.push_back({"tableHigh", table.high});
     commands.Draw(pass);
     return m_result;
 }

@@ -5,6 +5,7 @@
 
 #include "hlsl/constants/sat_constants.h"
 #include "passes_shaders.h"
+#include "runtime/passes/quad_shaders.h"
 #include "tools/layout/error.h"
 
 namespace boxcar {
@@ -62,9 +63,7 @@ SummedAreaTable::SummedAreaTable(Device& device, const SummedAreaTableDesc& desc
             AddAxis(axis, time);
     for (const Step& step : m_steps)
         if (!m_passes.contains(step.taps)) m_passes.emplace(step.taps, Pipeline(device, PassShaders(step.taps)));
-    if (desc.precision == SATPrecision::FP32)
-        m_takeOffBias.emplace(device, PipelineDesc{passes_shaders::Find("shaders/quad.vs"),
-                                                   passes_shaders::Find("shaders/sat_bias.ps")});
+    if (desc.precision == SATPrecision::FP32) m_takeOffBias.emplace(device, QuadShaders("sat_bias.ps"));
 }
 
 PipelineDesc SummedAreaTable::PassShaders(uint32_t taps) const {

@@ -1,7 +1,10 @@
 // What a summed-area table is made of: floats, or integers of one or two words a channel.
 #pragma once
 
-#include "runtime/image.h"
+#include <utility>
+#include <vector>
+
+#include "runtime/pass.h"
 
 namespace boxcar {
 
@@ -33,5 +36,12 @@ struct TexelWords {
     const Image* low;
     const Image* high = nullptr;  // U64 only
 };
+
+// What a pass reads of a table, besides `others`: hlsl/shaders/table_io.hlsli has the names.
+inline std::vector<Read> TableReads(TexelWords table, std::vector<Read> others = {}) {
+    others.push_back({"table", table.low});
+    if (table.high) others.push_back({"tableHigh", table.high});
+    return others;
+}
 
 }  // namespace boxcar

@@ -38,9 +38,7 @@ void AddBatchOptions(CLI::App& command, BatchOptions& options) {
     command.add_option("-o,--output", options.files.output, "File, folder/ or - for standard output")
         ->required()
         ->type_name("OUT");
-    command.add_option("--format", options.files.formatWord, "Format of the output, instead of its name's ending")
-        ->check(CLI::IsMember({"png", "jpg", "jpeg", "exr", "pfm"}))
-        ->type_name("F");
+    AddFormatOption(command, options.files.formatWord);
     AddReadOptions(command, options.read);
     AddDeviceOptions(command, options.device);
     command.add_flag("--stats", options.stats,

@@ -49,12 +49,16 @@ const EffectFigure kFigures[] = {
      "As printed: floats, one size in texels, every texel alike. Noise in the dark, for the lamps are in every sum.",
      "32",
      {{"lobe", "papers"}, {"width", "4"}, {"source", "scene"}},
-     "studio"},
+     "studio",
+     "",
+     1},
     {"glossy-environment",
      "The same by cones of one size on the sphere, in integers.",
      "32 of two words",
      {{"lobe", "box"}, {"width", "4"}, {"source", "scene"}},
-     "studio"},
+     "studio",
+     "",
+     1},
     {"phong-environment", "Two boxes on the normal, two on the reflection (Fig. 7).", "128 of two words"},
     {"phong-environment",
      "Six of each, a sharper highlight.",
@@ -166,7 +170,13 @@ const EffectFigure kFigures[] = {
      "A mip map looked up at random places round the pixel: noise instead of blocks.",
      "8",
      {{"lens", "0.4"}, {"method", "noise"}}},
-    {"depth-of-field", "256 views from all over the lens.", "256", {{"lens", "0.4"}, {"method", "accumulation"}}},
+    {"depth-of-field",
+     "256 views from all over the lens.",
+     "256",
+     {{"lens", "0.4"}, {"method", "accumulation"}},
+     "",
+     "",
+     1},
     {"depth-of-field", "In layers, focused behind.", "at most 480", {{"lens", "0.4"}, {"focus", "12"}}},
 };
 
@@ -199,7 +209,8 @@ double Milliseconds(const std::vector<PassTime>& passes) {
 
 }  // namespace
 
-void AddEffectSections(Device& device, const std::filesystem::path& folder, std::vector<GallerySection>& sections) {
+void AddEffectSections(Device& device, const std::filesystem::path& folder, const std::string& size,
+                       std::vector<GallerySection>& sections) {
     for (const EffectInfo& info : Effects()) {
         GallerySection section{std::string(info.what),
                                fmt::format("{}: boxcar render {}", info.paper, info.name),
@@ -210,7 +221,7 @@ void AddEffectSections(Device& device, const std::filesystem::path& folder, std:
             if (figure.effect != info.name) continue;
             EffectOptions options;
             options.effect = info.name;
-            options.extent = "480x300";
+            options.extent = size;
             options.environment = figure.environment;
             options.mesh = figure.mesh;
             std::vector<PassTime> passes;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "samples/cli/gallery_page.h"
@@ -10,8 +11,9 @@ namespace boxcar {
 
 class Device;
 
-// Writes a picture of each figure into `folder` and appends their sections. Captions tell the time of a frame on this
-// device and what a pixel of the effect reads.
-void AddEffectSections(Device& device, const std::filesystem::path& folder, std::vector<GallerySection>& sections);
+// Writes a picture of each figure, `size` (WxH) large, into `folder` and appends their sections. Captions tell the
+// time of a frame on this device and what a pixel of the effect reads. Throws UsageError: not a size.
+void AddEffectSections(Device& device, const std::filesystem::path& folder, const std::string& size,
+                       std::vector<GallerySection>& sections);
 
 }  // namespace boxcar

@@ -1,6 +1,6 @@
 #include "samples/cli/effect_run.h"
 
-#include <charconv>
+#include <algorithm>
 #include <cmath>
 
 #include "samples/cli/device_run.h"
@@ -9,7 +9,7 @@
 namespace boxcar {
 namespace {
 
-constexpr uint32_t kMaxSideTexels = 8192;
+constexpr double kLargestTime = 1e6;  // scenes move by floats
 
 Environment ReadEnvironment(const std::string& name) {
     if (name == "city" || name == "studio" || name == "venice") return SampleEnvironment(name);
@@ -95,12 +95,16 @@ std::vector<Setting> SettingsOf(const EffectOptions& options) {
 EffectRun::EffectRun(Device& device, const EffectOptions& options, const std::vector<Setting>& settings)
     : m_device(device),
       m_info(FindEffect(options.effect)),
-      m_extent(ParseExtent(options.extent, kMaxSideTexels)),
+      m_extent(ParseExtent(options.extent)),
       m_samples(options.samples),
       m_inputs(InputsOf(m_info, options)),
       m_values(ValuesOf(m_info, settings)) {
-    if (!std::isfinite(options.timeSeconds)) throw UsageError("--time {}: expected seconds", options.timeSeconds);
+    if (!(std::abs(options.timeSeconds) <= kLargestTime))
+        throw UsageError("--time {:g}: expected seconds, at most {:.0f}", options.timeSeconds, kLargestTime);
     if (m_samples < 1 || m_samples > 8) throw UsageError("--samples {}: expected 1 to 8", m_samples);
+    if (std::max(m_extent.widthTexels, m_extent.heightTexels) * m_samples > device.Limits().maxSideTexels)
+        throw UsageError("--size {} --samples {}: the device draws at most {} samples a side", options.extent,
+                         m_samples, device.Limits().maxSideTexels);
     m_inputs.extent = {m_samples * m_extent.widthTexels, m_samples * m_extent.heightTexels};
     m_effect = m_info.make(device, m_inputs, m_values);
 }

@@ -45,6 +45,8 @@ void Fit(const FitOptions& options) {
                    fit.weights[i]);
     }
     fmt::print("relative L2 error {:.1f} %\n", 100 * fit.relativeError);
+    if (fit.halfWidths.back() > std::tan(std::numbers::pi / 8))
+        fmt::print("boxes of more than 45 degrees are cut at that by hlsl/boxcar/dual_paraboloid_sat.hlsli\n");
 }
 
 }  // namespace

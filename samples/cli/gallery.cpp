@@ -47,7 +47,8 @@ struct Photograph {
 // Makes the pictures, one section a function, and remembers what the page says about them.
 class Gallery {
 public:
-    Gallery(Device& device, std::filesystem::path folder) : m_device(device), m_folder(std::move(folder)) {}
+    Gallery(Device& device, std::filesystem::path folder, std::string sceneSize)
+        : m_device(device), m_folder(std::move(folder)), m_sceneSize(std::move(sceneSize)) {}
 
     void PhotographAtSeveralWidths();
     void StepsOfTheBuild();
@@ -59,7 +60,7 @@ public:
     void LensOnAPhotograph();
     void LinearLightAndCodes();
     void HdrEnvironment();
-    void SceneEffects() { AddEffectSections(m_device, m_folder, m_sections); }
+    void SceneEffects() { AddEffectSections(m_device, m_folder, m_sceneSize, m_sections); }
     void Precision() { AddPrecisionSections(m_device, m_folder, m_fruits.picture, m_sections); }
 
     const std::vector<GallerySection>& Sections() const { return m_sections; }
@@ -110,6 +111,7 @@ private:
 
     Device& m_device;
     std::filesystem::path m_folder;
+    std::string m_sceneSize;
     std::vector<GallerySection> m_sections;
 
     const Photograph m_fruits{"fruits.jpg", boxcar_fruits_jpg, boxcar_fruits_jpg_end};
@@ -419,13 +421,21 @@ void Gallery::HdrEnvironment() {
     m_sections.push_back(std::move(section));
 }
 
-void MakeGallery(const std::string& folder, const DeviceOptions& deviceOptions) {
-    CheckedDevice device(deviceOptions);
+struct GalleryOptions {
+    std::string folder;
+    std::string sceneSize = "480x300";
+    DeviceOptions device;
+};
+
+void MakeGallery(const GalleryOptions& options) {
+    const std::string& folder = options.folder;
+    ParseExtent(options.sceneSize);  // before any work
+    CheckedDevice device(options.device);
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error) throw Error("{}: cannot make this folder: {}", folder, error.message());
 
-    Gallery gallery(*device, folder);
+    Gallery gallery(*device, folder, options.sceneSize);
     constexpr void (Gallery::*kSections[])() = {&Gallery::PhotographAtSeveralWidths,
                                                 &Gallery::StepsOfTheBuild,
                                                 &Gallery::TableAsAPicture,
@@ -454,17 +464,16 @@ void MakeGallery(const std::string& folder, const DeviceOptions& deviceOptions) 
 }  // namespace
 
 void AddGalleryCommand(CLI::App& app) {
-    struct Options {
-        std::string folder;
-        DeviceOptions device;
-    };
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<GalleryOptions>();
     CLI::App& command =
         *app.add_subcommand("gallery", "Make the papers' figures as pictures, with a page to look at them");
     command.footer("Example:\n  boxcar gallery -o gallery\n\nPrints the path of the page.");
     command.add_option("-o,--output", options->folder, "Folder; made if it is missing")->required()->type_name("DIR");
+    command.add_option("--size", options->sceneSize, "Of the rendered effects")
+        ->type_name("WxH")
+        ->capture_default_str();
     AddDeviceOptions(command, options->device);
-    command.callback([options] { MakeGallery(options->folder, options->device); });
+    command.callback([options] { MakeGallery(*options); });
 }
 
 }  // namespace boxcar

@@ -115,7 +115,6 @@ nlohmann::ordered_json Summary(const std::string& name, const StageTexels& stage
 
 void WriteStage(const StageTexels& stage, const Image& image, const std::string& path) {
     const auto [width, height] = stage.extent;
-    if (FormatFromName(path) != FileFormat::Exr) throw UsageError("-o {}: a stage is written as .exr", path);
     if (image.Desc().format == Format::RGBA32UI) {
         std::vector<UintChannel> channels = {{"R", {}}, {"G", {}}, {"B", {}}, {"A", {}}};
         for (size_t i = 0; i < stage.samples.size(); i++)
@@ -133,6 +132,11 @@ void WriteStage(const StageTexels& stage, const Image& image, const std::string&
 
 void Inspect(const InspectOptions& options) {
     const std::vector<Setting> settings = SettingsOf(options);
+    if (!options.output.empty()) {
+        if (FormatFromName(options.output) != FileFormat::Exr)
+            throw UsageError("-o {}: a stage is written as .exr", options.output);
+        RequireFolder(options.output);
+    }
     CheckedDevice device(options.device);
     EffectRun run(*device, options, settings);
     run.Samples(options.timeSeconds);

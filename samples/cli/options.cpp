@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <filesystem>
 
 #include "samples/files/color.h"
 
@@ -37,6 +38,18 @@ CheckedDevice::CheckedDevice(const DeviceOptions& options)
 
 void CheckedDevice::RequireClean() const {
     if (messages > 0) throw Error("the validation layer had {} messages", messages);
+}
+
+void AddFormatOption(CLI::App& command, std::string& word) {
+    command.add_option("--format", word, "Format of the output, instead of its name's ending")
+        ->check(CLI::IsMember({"png", "jpg", "jpeg", "exr", "pfm"}))
+        ->type_name("F");
+}
+
+void RequireFolder(const std::string& path) {
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    if (path != "-" && !folder.empty() && !std::filesystem::is_directory(folder))
+        throw Error("{}: there is no folder {}", path, folder.string());
 }
 
 void AddReadOptions(CLI::App& command, ReadOptions& options) {
@@ -151,7 +164,7 @@ glm::vec2 ParseSize(const std::string& flag, const std::string& text) {
     return {width, height};
 }
 
-Extent2D ParseExtent(const std::string& text, uint32_t maxSideTexels) {
+Extent2D ParseExtent(const std::string& text) {
     Extent2D extent;
     const char* const end = text.data() + text.size();
     const auto width = std::from_chars(text.data(), end, extent.widthTexels);
@@ -160,9 +173,9 @@ Extent2D ParseExtent(const std::string& text, uint32_t maxSideTexels) {
         const auto height = std::from_chars(width.ptr + 1, end, extent.heightTexels);
         isRight = height.ec == std::errc() && height.ptr == end;
     }
-    const auto fits = [&](uint32_t side) { return side >= 1 && side <= maxSideTexels; };
+    const auto fits = [](uint32_t side) { return side >= 1 && side <= kMaxSideTexels; };
     if (!isRight || !fits(extent.widthTexels) || !fits(extent.heightTexels))
-        throw UsageError("--size {}: expected WxH, two whole numbers from 1 to {}", text, maxSideTexels);
+        throw UsageError("--size {}: expected WxH, two whole numbers from 1 to {}", text, kMaxSideTexels);
     return extent;
 }
 

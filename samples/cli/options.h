@@ -37,6 +37,13 @@ struct CheckedDevice {
     Device device;
 };
 
+// --format: of the output, instead of its name's ending.
+void AddFormatOption(CLI::App& command, std::string& word);
+
+// Throws Error where the folder that `path` is to be written into does not exist, so that it can be known before the
+// work.
+void RequireFolder(const std::string& path);
+
 // Flags of every command that reads a picture.
 struct ReadOptions {
     std::string transferWord = "auto";
@@ -89,7 +96,10 @@ constexpr float kMaxSizeTexels = 32768;
 // "W" or "WxH": real numbers above 0 and at most 32768 (twice the largest side). Throws UsageError naming the flag.
 glm::vec2 ParseSize(const std::string& flag, const std::string& text);
 
-// "WxH" of --size: whole numbers from 1 to `maxSideTexels`. Throws UsageError.
-Extent2D ParseExtent(const std::string& text, uint32_t maxSideTexels);
+// The largest side of a picture that a command makes.
+constexpr uint32_t kMaxSideTexels = 8192;
+
+// "WxH" of --size: whole numbers from 1 to kMaxSideTexels. Throws UsageError.
+Extent2D ParseExtent(const std::string& text);
 
 }  // namespace boxcar

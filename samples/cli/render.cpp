@@ -39,6 +39,7 @@ void Render(const RenderOptions& options) {
     if (options.frames > 1 && job.output == "-")
         throw UsageError("-o - and --frames {}: several frames need files", options.frames);
     RequireWritable(job.output, job.format, 3);
+    RequireFolder(job.output);
 
     CheckedDevice device(options.device);
     EffectRun run(*device, options, settings);
@@ -101,7 +102,8 @@ void List(bool asJson) {
         return;
     }
     for (const EffectInfo& info : Effects()) {
-        fmt::print("{}\n  {} ({})\n", info.name, info.what, info.paper);
+        fmt::print("{}{}{}\n  {} ({})\n  Look for this: {}.\n", info.name, info.takesEnvironment ? "  [--env F]" : "",
+                   info.takesMesh ? "  [--mesh F]" : "", info.what, info.paper, info.lookFor);
         for (const Parameter& p : info.parameters) {
             std::string range;
             for (const std::string_view choice : p.choices)
@@ -130,9 +132,7 @@ void AddRenderCommand(CLI::App& app) {
     command.add_option("-o,--output", options->output, "File, folder/ or - for standard output")
         ->required()
         ->type_name("OUT");
-    command.add_option("--format", options->formatWord, "Format of the output, instead of its name's ending")
-        ->check(CLI::IsMember({"png", "jpg", "jpeg", "exr", "pfm"}))
-        ->type_name("F");
+    AddFormatOption(command, options->formatWord);
     command.add_option("--frames", options->frames, "How many frames, 1/30 s apart (default 1)")->type_name("N");
     command.add_flag("--stats", options->stats,
                      "Print device, passes, milliseconds a pass and device memory to stderr");

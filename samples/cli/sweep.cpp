@@ -2,6 +2,7 @@
 #include <stb_easy_font.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "samples/cli/effect_run.h"
@@ -17,6 +18,7 @@ constexpr uint64_t kMaxPictures = 256;
 
 struct SweepOptions : EffectOptions {
     std::string output;
+    std::string formatWord;
 };
 
 struct Swept {
@@ -96,6 +98,10 @@ void Sweep(const SweepOptions& options) {
         else
             fixed.push_back({one.name, one.values[0]});
     }
+    for (size_t i = 0; i < options.sets.size(); i++)
+        for (size_t k = 0; k < i; k++)
+            if (ParseSetting(options.sets[i]).name == ParseSetting(options.sets[k]).name)
+                throw UsageError("--set {}: it is set twice", ParseSetting(options.sets[i]).name);
     if (swept.empty() || swept.size() > 2)
         throw UsageError(
             "{} lists in --set: sweep takes one (a row) or two (columns and rows), as in --set width=1,9,33",
@@ -105,8 +111,16 @@ void Sweep(const SweepOptions& options) {
                rows = static_cast<uint32_t>(swept[1].values.size());
     if (uint64_t{columns} * rows > kMaxPictures)
         throw UsageError("{} x {} pictures: a sheet holds at most {}", columns, rows, kMaxPictures);
-    const Job job = PlanJobs({{options.effect + ".png"}, options.output, ""}).at(0);
+    const Job job = PlanJobs({{options.effect + ".png"}, options.output, options.formatWord}).at(0);
     RequireWritable(job.output, job.format, 3);
+    RequireFolder(job.output);
+
+    ParameterValues values(FindEffect(options.effect).parameters);
+    for (const Setting& setting : fixed)
+        values.Set(setting.name, setting.value);
+    for (const Swept& one : swept)
+        for (const std::string& value : one.values)
+            if (!one.name.empty()) values.Set(one.name, value);
 
     CheckedDevice device(options.device);
     std::unique_ptr<ContactSheet> sheet;
@@ -147,6 +161,7 @@ void AddSweepCommand(CLI::App& app) {
     AddEffectOptions(command, *options);
     AddSamplesOption(command, *options);
     command.add_option("-o,--output", options->output, "The sheet")->required()->type_name("OUT");
+    AddFormatOption(command, options->formatWord);
     command.callback([options] { Sweep(*options); });
 }
 

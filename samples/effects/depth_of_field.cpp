@@ -1,13 +1,13 @@
 #include "samples/effects/depth_of_field.h"
 
 #include "hlsl/constants/effect_constants.h"
-#include "passes_shaders.h"
+#include "runtime/passes/quad_shaders.h"
 
 namespace boxcar {
 
 LensWidths::LensWidths(Device& device, Extent2D extent, float largestTexels)
     : m_largestTexels(largestTexels),
-      m_pipeline(device, {passes_shaders::Find("shaders/quad.vs"), passes_shaders::Find("shaders/lens_width.ps")}),
+      m_pipeline(device, QuadShaders("lens_width.ps")),
       m_widths(device, {extent, Format::RGBA32F, "circles of confusion"}) {}
 
 SATWidths LensWidths::Record(CommandList& commands, const Image& disparity, const Lens& lens) {

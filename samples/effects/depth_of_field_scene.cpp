@@ -9,11 +9,13 @@
 //   sharp         one view from its middle
 //
 // Hensley 2005, sect. 5.4 (Fig. 9); Demers 2004 (noise); Green 2003; Haeberli and Akeley 1990 (accumulation)
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "hlsl/constants/effect_constants.h"
-#include "passes_shaders.h"
+#include "runtime/passes/mip_chain.h"
+#include "runtime/passes/quad_shaders.h"
 #include "runtime/transfer.h"
 #include "samples/effects/effects.h"
 #include "samples/effects/layered_depth_of_field.h"
@@ -25,7 +27,7 @@ namespace {
 
 constexpr uint32_t kViews = 256;
 constexpr float kNoiseLevels = 0.6f;
-constexpr glm::vec3 kSky{0.50f, 0.60f, 0.74f};
+constexpr glm::vec3 kHaze{0.50f, 0.60f, 0.74f};
 constexpr float kNearestWorld = 1.8f;  // depth of the nearest thing in the scene
 
 // The scene as one mesh, that hundreds of views draw at a command each: uv.x is the number of its part's material.
@@ -85,10 +87,6 @@ PipelineDesc LensShaders(int hidden) {
     return desc;
 }
 
-PipelineDesc QuadShaders(const char* pixel) {
-    return {.vertex = passes_shaders::Find("shaders/quad.vs"), .pixel = passes_shaders::Find(pixel)};
-}
-
 // One point of `kViews` that fill a disc of radius 1 evenly.
 glm::vec2 LensPoint(uint32_t view) {
     const float radius = std::sqrt((static_cast<float>(view) + 0.5f) / kViews);
@@ -134,43 +132,32 @@ private:
 class Mips {
 public:
     Mips(Device& device, Extent2D extent)
-        : m_half(device, QuadShaders("shaders/half.ps")),
-          m_look(device, QuadShaders("shaders/lens_mips.ps")),
-          m_mips(device, {.extent = extent, .name = "mips", .levels = MipLevels(extent)}),
-          m_result(device, {extent, Format::RGBA32F, "picture"}) {
-        for (uint32_t level = 1; level < m_mips.Desc().levels; level++)
-            m_levels.emplace_back(device, ImageDesc{LevelExtent(extent, level), Format::RGBA32F, "level"});
-    }
+        : m_look(device, QuadShaders("lens_mips.ps")),
+          m_chain(device, extent),
+          m_result(device, {extent, Format::RGBA32F, "picture"}) {}
 
     const Image& Record(CommandList& commands, const Image& nearest, const Lens& lens, float noiseLevels) {
-        const Image* source = &nearest;
-        commands.Copy(nearest, m_mips);
-        for (uint32_t level = 1; level < m_mips.Desc().levels; level++) {
-            const Image& target = m_levels[level - 1];
-            commands.Draw({.name = "half", .pipeline = m_half, .reads = {{"source", source}}, .writes = {&target}});
-            commands.Copy(target, m_mips, 0, level);
-            source = &target;
-        }
+        const Image& mips = m_chain.Record(commands, nearest);
         const LensMipsConstants constants{lens.focusDisparity, lens.apertureTexels, noiseLevels};
         commands.Draw({.name = "mips",
                        .pipeline = m_look,
-                       .reads = {{"picture", &nearest}, {"mips", &m_mips}},
+                       .reads = {{"picture", &nearest}, {"mips", &mips}},
                        .writes = {&m_result},
                        .constants = ConstantBytes(constants)});
         return m_result;
     }
 
 private:
-    Pipeline m_half, m_look;
-    Image m_mips, m_result;
-    std::vector<Image> m_levels;
+    Pipeline m_look;
+    MipChain m_chain;
+    Image m_result;
 };
 
 // The sum of many views.
 class Accumulation {
 public:
     Accumulation(Device& device, Extent2D extent)
-        : m_add(device, QuadShaders("shaders/lens_views.ps")), m_sum(device, {extent, Format::RGBA32F, "sum"}) {
+        : m_add(device, QuadShaders("lens_views.ps")), m_sum(device, {extent, Format::RGBA32F, "sum"}) {
         for (uint32_t i = 0; i < kAtOnce; i++)
             m_views.emplace_back(device, ImageDesc{extent, Format::RGBA32F, "view"});
     }
@@ -229,7 +216,8 @@ private:
     const Image& Draw(CommandList& commands, const Frame& frame) override {
         const Extent2D extent = m_nearest.Extent();
         const float focusWorld = frame.values["focus"], lensWorld = frame.values["lens"];
-        m_camera.eyeWorld.x = 0.35f * std::sin(static_cast<float>(frame.timeSeconds));
+        Camera camera = m_camera;
+        camera.eyeWorld.x = 0.35f * std::sin(static_cast<float>(frame.timeSeconds));
 
         const auto draw = [&](const Pipeline& pipeline, const Image& target, glm::vec2 pointWorld) {
             const SceneObject object{.mesh = &m_scene.Triangles(), .optionA = frame.values["object"]};
@@ -238,11 +226,11 @@ private:
                       .reads = {{"palette", &m_scene.Palette()}},
                       .writes = {&target},
                       .depth = &m_depth,
-                      .clearColor = glm::vec4(kSky, 0),  // infinitely far
+                      .clearColor = glm::vec4(kHaze, 0),  // infinitely far
                       .clearsDepth = true};
             if (m_hidden && &target == &*m_hidden) pass.reads.push_back({"nearest", &m_nearest});
-            DrawObjects(commands, pass, std::span(&object, 1), ClipFromLens(m_camera, extent, pointWorld, focusWorld),
-                        m_camera.eyeWorld);
+            DrawObjects(commands, pass, std::span(&object, 1), ClipFromLens(camera, extent, pointWorld, focusWorld),
+                        camera.eyeWorld);
         };
         if (m_accumulation)
             return m_accumulation->Record(commands, [&](const Image& target, uint32_t view) {
@@ -253,15 +241,13 @@ private:
         AddStage("nearest", m_nearest);
         // A lens spreads a point at depth z over lensWorld * |z - focus| / z of the plane in focus, where a texel is
         // focus / (texels across a unit at depth 1) wide.
-        const float unitTexels =
-            static_cast<float>(extent.heightTexels) / (2 * std::tan(m_camera.verticalAngleRadians / 2));
-        const Lens lens{1 / focusWorld, lensWorld * unitTexels};
+        const Lens lens{1 / focusWorld, lensWorld * TexelsAtDepthOne(camera, extent)};
         if (m_layered) {
             draw(*m_drawHidden, *m_hidden, {0, 0});
             AddStage("hidden", *m_hidden);
             const Image& picture = m_layered->Record(commands, m_nearest, &*m_hidden, lens, 1 / kNearestWorld,
                                                      frame.values.Whole("layers"));
-            AddStage("farthest layer", m_layered->Layer());
+            AddStage("farthest-layer", m_layered->Layer());
             return picture;
         }
         if (m_single) return m_single->Record(commands, m_nearest, lens);

@@ -72,8 +72,15 @@ const Image& Effect::Record(CommandList& commands, const Frame& frame) {
 }
 
 const Image& Effect::AddStage(std::string name, const Image& image) {
+    BOXCAR_ASSERT(name.find(',') == std::string::npos);
+    BOXCAR_ASSERT(std::ranges::find(m_stages, name, &EffectStage::name) == m_stages.end());
     m_stages.push_back({std::move(name), &image});
     return image;
+}
+
+void Effect::AddTableStages(const std::string& name, TexelWords table) {
+    AddStage(name, *table.low);
+    if (table.high) AddStage(name + "-high", *table.high);
 }
 
 std::span<const EffectInfo> Effects() {

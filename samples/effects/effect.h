@@ -1,5 +1,5 @@
 // What every effect that draws a scene has in common, and the one table of them: `boxcar list`, `render`, `sweep` and
-// `inspect` and the viewer read it.
+// `inspect` and the gallery read it.
 //
 //   EffectInputs, ParameterValues  ->  EffectInfo::make  ->  Effect  ->  Record, once a frame  ->  picture
 //
@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "runtime/command_list.h"
+#include "runtime/passes/texel_words.h"
 #include "samples/scenes/environment.h"
 
 namespace boxcar {
@@ -83,7 +84,11 @@ public:
     const std::vector<EffectStage>& Stages() const { return m_stages; }
 
 protected:
+    // `name`: of its own in the frame, without a comma.
     const Image& AddStage(std::string name, const Image& image);
+
+    // The words of a table: `name`, and for two words `name`-high.
+    void AddTableStages(const std::string& name, TexelWords table);
 
 private:
     virtual const Image& Draw(CommandList& commands, const Frame& frame) = 0;

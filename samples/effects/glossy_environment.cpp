@@ -4,10 +4,11 @@
 //   reflections
 //
 // Hensley 2005, sect. 5.1 (Figs 5, 6); Scheuermann 2005
+#include <algorithm>
 #include <cmath>
 
-#include "passes_shaders.h"
 #include "runtime/passes/dual_paraboloid.h"
+#include "runtime/passes/quad_shaders.h"
 #include "runtime/transfer.h"
 #include "samples/effects/effects.h"
 #include "samples/scenes/shapes.h"
@@ -50,13 +51,13 @@ DualParaboloidTablesDesc TablesFor(std::string_view lobe, uint32_t side, float l
     return {.sideTexels = side,
             .order = order,
             .largestLight = std::max(largestLight, kBrightestObject),
-            .largestTexels = order == 3 ? 101 : std::min(side, 1024u)};
+            .largestTexels = std::min(side, order == 3 ? 101u : 1024u)};
 }
 
 // The papers' tables: floats, what is outside of the disc 0.
 struct FloatTables {
     FloatTables(Device& device, uint32_t side)
-        : mask(device, {passes_shaders::Find("shaders/quad.vs"), passes_shaders::Find("shaders/dp_mask.ps")}),
+        : mask(device, QuadShaders("dp_mask.ps")),
           masked(device, {{side, side}, Format::RGBA32F, "masked face"}),
           front(device, {.extent = {side, side}}),
           back(device, {.extent = {side, side}}) {}
@@ -154,8 +155,8 @@ private:
             return {{"frontTable", &m_floats->Record(commands, m_floats->front, *faces.front)},
                     {"backTable", &m_floats->Record(commands, m_floats->back, *faces.back)}};
         const DualParaboloidWords tables = m_tables->Record(commands, faces);
-        AddStage("front table", *tables.front.low);
-        AddStage("back table", *tables.back.low);
+        AddTableStages("front-table", tables.front);
+        AddTableStages("back-table", tables.back);
         object.optionB = m_tables->CodeScale();
         object.optionC = static_cast<float>(m_tables->Desc().largestTexels);
         return {{"frontLow", tables.front.low},
@@ -210,7 +211,8 @@ EffectInfo GlossyEnvironmentInfo() {
         .what = "An object that reflects its surroundings, blurred by a lobe of any width",
         .paper = "Hensley 2005, sect. 5.1, Figs 5 and 6; Scheuermann 2005",
         .lookFor = "the reflection stays smooth at every width and over the seam of the two faces",
-        .parameters = {{"width", "Width of the box at a face's middle", "texels", 1, kLargestWidth, 24},
+        .parameters = {{"width", "Width of the box at a face's middle; at the most 45 degrees to either side",
+                        "texels", 1, kLargestWidth, 24},
                        {"lobe",
                         "Kernel: one box, four boxes, a tent, a parabola, or the papers' box of one size in floats",
                         "",
@@ -249,7 +251,7 @@ EffectInfo PhongEnvironmentInfo() {
             .what = "The Phong model under light from all around",
             .paper = "Hensley 2005, sect. 5.1.2, Fig. 7",
             .lookFor = "matt light comes from boxes round the normal, the highlight from boxes round the reflection",
-            .parameters = {{"exponent", "Of the highlight's lobe cos^n", "", 1, 1000, 60},
+            .parameters = {{"exponent", "Of the highlight's lobe cos^n", "", 7, 1000, 60},
                            {"shine", "The highlight's share of the light", "", 0, 1, 0.35f},
                            {"boxes", "In each of the two stacks", "", 1, 6, 2, {}, true},
                            kFace},

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "hlsl/constants/effect_constants.h"
-#include "passes_shaders.h"
+#include "runtime/passes/quad_shaders.h"
 #include "tools/layout/error.h"
 
 namespace boxcar {
@@ -14,10 +14,6 @@ namespace {
 // through.
 constexpr float kClosing = 1.05f;
 constexpr float kFilling = 1e6f;  // any coverage is enough
-
-PipelineDesc QuadShaders(const std::string& pixel) {
-    return {.vertex = passes_shaders::Find("shaders/quad.vs"), .pixel = passes_shaders::Find(pixel)};
-}
 
 glm::vec2 LargestBoxTexels(const LayeredDepthOfFieldDesc& desc) {
     const auto boxes = static_cast<float>(desc.boxes);
@@ -41,8 +37,8 @@ std::vector<float> Diameters(float largestTexels, int layers) {
 LayeredDepthOfField::LayeredDepthOfField(Device& device, const LayeredDepthOfFieldDesc& desc)
     : m_desc(desc),
       m_precision(SATExactPrecision(LargestBoxTexels(desc), 1, true, kLensCodes)),
-      m_take(device, QuadShaders("shaders/lens_layer.ps")),
-      m_over(device, QuadShaders(fmt::format("shaders/lens_over.ps.WORDS={}", WordsOf(m_precision)))),
+      m_take(device, QuadShaders("lens_layer.ps")),
+      m_over(device, QuadShaders(fmt::format("lens_over.ps.WORDS={}", WordsOf(m_precision)))),
       m_layer(device, {desc.extent, Format::RGBA32F, "layer"}),
       m_table(device, {.extent = desc.extent, .precision = m_precision, .codes = kLensCodes}),
       m_light(device, {desc.extent, Format::RGBA32F, "light"}) {}
@@ -98,13 +94,11 @@ void LayeredDepthOfField::Put(CommandList& commands, const Image& nearest, const
         .codeScale = kLensCodes.scale,
         .opacity = opacity,
         .isLast = isLast};
-    Pass pass{.name = "over",
-              .pipeline = m_over,
-              .reads = {{"table", table.low}, {"before", &m_light.Front()}},
-              .writes = {&m_light.Back()},
-              .constants = ConstantBytes(constants)};
-    if (table.high) pass.reads.push_back({"tableHigh", table.high});
-    commands.Draw(pass);
+    commands.Draw({.name = "over",
+                   .pipeline = m_over,
+                   .reads = TableReads(table, {{"before", &m_light.Front()}}),
+                   .writes = {&m_light.Back()},
+                   .constants = ConstantBytes(constants)});
     m_light.Swap();
 }
 

@@ -167,12 +167,14 @@ Point Minimum(const std::function<double(const Point&)>& f, const Point& start) 
 Lobe PhongLobe(double exponent) {
     return [exponent](double rho) {
         const double s = rho * rho;
-        return std::pow(std::max(0.0, (1 - s) / (1 + s)), exponent) / ((1 + s) * (1 + s));
+        return std::pow(std::max(0.0, (1 - s) / (1 + s)), exponent);
     };
 }
 
 Lobe GgxLobe(double alpha) {
-    return [squared = alpha * alpha](double rho) { return squared / (kPi * std::pow(squared + rho * rho, 2)); };
+    return [squared = alpha * alpha](double rho) {
+        return squared * std::pow((1 + rho * rho) / (squared + rho * rho), 2) / kPi;
+    };
 }
 
 BoxStackFit FitBoxStack(const Lobe& lobe, int boxes) {

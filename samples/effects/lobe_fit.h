@@ -2,8 +2,8 @@
 //
 //   lobe on a paraboloid's disc  ->  half-widths and weights of k nested squares, of least error
 //
-// A lobe round the mirror direction is drawn on the disc of a paraboloid whose axis is that direction (place tan(t /
-// 2) for the angle t); there it is as dense as its light times the sphere's area per area of the disc.
+// A lobe round the mirror direction is drawn on the disc of a paraboloid whose axis is that direction: at tan(t / 2)
+// for the angle t. It is fitted there, as tables sum that weigh each texel by its solid angle (DPWeight).
 //
 // Hensley 2005, sect. 5.1.2 and 7 (future work)
 #pragma once
@@ -13,14 +13,14 @@
 
 namespace boxcar {
 
-// Light per area of the disc at a distance rho from its middle, 0 to 1; need not add up to 1.
+// Light per solid angle at a distance rho from the disc's middle, 0 to 1; need not add up to 1.
 using Lobe = std::function<double(double rho)>;
 
 // cos^n of the angle from the mirror direction.
 Lobe PhongLobe(double exponent);
 
-// The GGX distribution of half vectors, seen from above: alpha is the square of artists' roughness. On the disc it is
-// alpha^2 / (pi (alpha^2 + rho^2)^2): its tails are long.
+// The GGX distribution of half vectors, seen from above: alpha is the square of artists' roughness. rho is the
+// tangent of the half vector's angle; the lobe goes as ((1 + rho^2) / (alpha^2 + rho^2))^2: its tails are long.
 //
 // Walter 2007, eq. 33
 Lobe GgxLobe(double alpha);

@@ -3,8 +3,8 @@
 //   scene  ->  dp_scene.vs  ->  front, back     |     scene  ->  cube map  ->  dual paraboloid  ->  front, back
 //
 // Scheuermann 2005 (direct rendering of the faces); Hensley 2005, sect. 5.1.1
-#include "passes_shaders.h"
 #include "runtime/passes/dual_paraboloid.h"
+#include "runtime/passes/quad_shaders.h"
 #include "samples/effects/effects.h"
 #include "samples/scenes/shapes.h"
 #include "samples/scenes/surroundings.h"
@@ -27,13 +27,13 @@ public:
           m_surroundings(device, {{2, 1}, {glm::vec4(0), glm::vec4(0)}}, m_side),
           m_paraboloid(device, m_side),
           m_direct(device, DirectShaders()),
-          m_pair(device, {passes_shaders::Find("shaders/quad.vs"), passes_shaders::Find("shaders/dp_pair.ps")}),
+          m_pair(device, QuadShaders("dp_pair.ps")),
           m_room(
               UploadMesh(device, Subdivided(Room(4), static_cast<uint32_t>(values.Whole("subdivisions"))), "room")),
           m_sphere(UploadMesh(device, Sphere(1, 48, 24), "sphere")),
           m_depth(device, {{m_side, m_side}, Format::Depth32F, "depth"}),
           m_picture(device, {inputs.extent, Format::RGBA32F, "picture"}) {
-        for (const char* name : {"front, direct", "back, direct"})
+        for (const char* name : {"front-direct", "back-direct"})
             m_faces.emplace_back(device, ImageDesc{{m_side, m_side}, Format::RGBA32F, name});
     }
 
@@ -45,8 +45,8 @@ private:
             {.mesh = &m_sphere, .offsetWorld = {0.5f, -0.5f, -1.1f}, .scale = 0.35f, .albedo = {0.8f, 0.2f, 0.15f}},
             {.mesh = &m_sphere, .offsetWorld = {-0.6f, 0.3f, 1.0f}, .scale = 0.3f, .albedo = {0.2f, 0.35f, 0.8f}}};
         const DualParaboloidFaces viaCube = m_paraboloid.Record(commands, m_surroundings.Record(commands, objects));
-        AddStage("front, cube", *viaCube.front);
-        AddStage("back, cube", *viaCube.back);
+        AddStage("front-cube", *viaCube.front);
+        AddStage("back-cube", *viaCube.back);
         for (size_t face = 0; face < 2; face++) {
             for (SceneObject& object : objects) {
                 object.optionA = static_cast<float>(face);

@@ -5,7 +5,6 @@
 // Hensley 2005, sect. 5.2 (Fig. 1)
 #include <cmath>
 
-#include "passes_shaders.h"
 #include "runtime/passes/exact_table.h"
 #include "samples/effects/effects.h"
 #include "samples/scenes/scene.h"
@@ -17,13 +16,11 @@ namespace {
 constexpr float kFarWorld = 40;         // how far the sky is, for the reflection's width
 constexpr float kBrightest = 2;         // of the reflected light, which is coded in 16 bits
 constexpr float kLargestRoughness = 1;  // of the parameter
-constexpr glm::vec3 kSky{0.52f, 0.62f, 0.75f};
 
 class PlanarReflection : public Effect {
 public:
     PlanarReflection(Device& device, const EffectInputs& inputs, const ParameterValues&)
-        : m_coneTexels(static_cast<float>(inputs.extent.heightTexels) /
-                       (2 * std::tan(m_camera.verticalAngleRadians / 2))),
+        : m_coneTexels(TexelsAtDepthOne(m_camera, inputs.extent)),
           m_codes{65535 / kBrightest, 65535, false},
           m_precision(SATExactPrecision(glm::vec2(kLargestRoughness * m_coneTexels), 1, false, m_codes)),
           m_object(UploadMesh(device, StandingMesh(inputs.mesh), "object")),
@@ -60,7 +57,7 @@ private:
                     objects, clip * mirror, m_camera.eyeWorld);
         AddStage("reflected", m_reflected);
         const TexelWords table = m_table.Record(commands, m_reflected);
-        AddStage("table", *table.low);
+        AddTableStages("table", table);
 
         DrawObjects(commands,
                     {.name = "direct",
@@ -76,13 +73,13 @@ private:
                                 .optionA = frame.values["roughness"] * m_coneTexels,
                                 .optionB = m_codes.scale,
                                 .optionC = frame.values["mirror"]};
-        Pass pass{.name = "floor",
-                  .pipeline = m_floor,
-                  .reads = {{"reflected", &m_reflected}, {"table", table.low}},
-                  .writes = {&m_picture},
-                  .depth = &m_depth};
-        if (table.high) pass.reads.push_back({"tableHigh", table.high});
-        DrawObjects(commands, pass, std::span(&floor, 1), clip, m_camera.eyeWorld);
+        DrawObjects(commands,
+                    {.name = "floor",
+                     .pipeline = m_floor,
+                     .reads = TableReads(table, {{"reflected", &m_reflected}}),
+                     .writes = {&m_picture},
+                     .depth = &m_depth},
+                    std::span(&floor, 1), clip, m_camera.eyeWorld);
         return m_picture;
     }
 

@@ -1,13 +1,12 @@
 #include "samples/effects/sat_verbatim_blur.h"
 
 #include "hlsl/constants/sat_constants.h"
-#include "passes_shaders.h"
+#include "runtime/passes/quad_shaders.h"
 
 namespace boxcar {
 
 SatVerbatimBlur::SatVerbatimBlur(Device& device, Extent2D extent)
-    : m_pipeline(device,
-                 {passes_shaders::Find("shaders/quad.vs"), passes_shaders::Find("shaders/sat_blur_verbatim.ps")}),
+    : m_pipeline(device, QuadShaders("sat_blur_verbatim.ps")),
       m_result(device, {extent, Format::RGBA32F, "verbatim blur"}) {}
 
 const Image& SatVerbatimBlur::Record(CommandList& commands, const Image& table, glm::vec2 sizeTexels) {

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "hlsl/constants/effect_constants.h"
-#include "passes_shaders.h"
+#include "runtime/passes/quad_shaders.h"
 #include "runtime/passes/summed_area_table.h"
 #include "samples/effects/effects.h"
 #include "samples/scenes/scene.h"
@@ -17,23 +17,9 @@
 namespace boxcar {
 namespace {
 
-constexpr glm::vec3 kSky{0.52f, 0.62f, 0.75f};
 constexpr float kLampDistance = 7;
 constexpr float kLampReach = 3.5f;  // things cast shadows up to this far before and behind the middle of the scene
 constexpr float kLampAngleRadians = 0.9f;
-
-PipelineDesc QuadShaders(const std::string& pixel, std::vector<Format> targets = {Format::RGBA32F}) {
-    return {.vertex = passes_shaders::Find("shaders/quad.vs"),
-            .pixel = passes_shaders::Find("shaders/" + pixel),
-            .targets = std::move(targets)};
-}
-
-PipelineDesc SceneShaders(const std::string& pixel, std::vector<Format> targets = {Format::RGBA32F}) {
-    return {.vertex = passes_shaders::Find("shaders/scene.vs"),
-            .pixel = passes_shaders::Find("shaders/" + pixel),
-            .targets = std::move(targets),
-            .testsDepth = true};
-}
 
 Extent2D MapExtent(const ParameterValues& values) {
     const auto side = static_cast<uint32_t>(values.Whole("map"));
@@ -111,16 +97,15 @@ private:
                     objects, ClipFromWorld(m_camera, m_picture.Extent()), m_camera.eyeWorld);
         AddStage("positions", m_position);
 
-        const SoftShadowConstants constants{
-            ClipFromWorld(lamp, m_map.Extent()),
-            lamp.eyeWorld,
-            lamp.nearDepth,
-            reach,
-            frame.values["light-size"],
-            static_cast<float>(m_map.Extent().heightTexels) / (2 * std::tan(kLampAngleRadians / 2)),
-            frame.values["bleed-cut"],
-            kSky,
-            0};
+        const SoftShadowConstants constants{ClipFromWorld(lamp, m_map.Extent()),
+                                            lamp.eyeWorld,
+                                            lamp.nearDepth,
+                                            reach,
+                                            frame.values["light-size"],
+                                            TexelsAtDepthOne(lamp, m_map.Extent()),
+                                            frame.values["bleed-cut"],
+                                            kSky,
+                                            0};
         const bool isHard = frame.values.Choice("method") == "hard";
         Pass light{
             .name = "light",
@@ -134,8 +119,8 @@ private:
                            .reads = {{"depth", &m_map}},
                            .writes = {&m_low, &m_high}});
             const TexelWords table = m_table.Record(commands, {m_low, m_high});
-            AddStage("table", *table.low);
-            light.reads.insert(light.reads.end(), {{"table", table.low}, {"tableHigh", table.high}});
+            AddTableStages("table", table);
+            light.reads = TableReads(table, light.reads);
         }
         commands.Draw(light);
         return m_picture;

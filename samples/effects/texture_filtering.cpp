@@ -4,11 +4,13 @@
 //   reference: 64 x (pattern  ->  scene, 2 x 2 samples a pixel)  ->  their mean
 //
 // Crow 1984, sect. 2 and 4 (Figs 3 to 7)
+#include <algorithm>
 #include <cmath>
 
 #include "hlsl/constants/effect_constants.h"
-#include "passes_shaders.h"
 #include "runtime/passes/exact_table.h"
+#include "runtime/passes/mip_chain.h"
+#include "runtime/passes/quad_shaders.h"
 #include "runtime/ping_pong.h"
 #include "samples/effects/effects.h"
 #include "samples/scenes/scene.h"
@@ -20,21 +22,10 @@ namespace {
 constexpr Extent2D kTexture{256, 256};
 constexpr float kCells = 8;          // black and white stripes of the texture
 constexpr int kDrawsAlongPixel = 8;  // of the reference, each of two samples on either axis
-constexpr glm::vec4 kSky{0.52f, 0.62f, 0.75f, 0};
 constexpr float kPlaneLength = 80;
 constexpr float kPlaneRepeats = 2.5f;  // to one of the ellipsoid's
 
 enum Filter { Nearest, Bilinear, Mip, MipFiltered, Anisotropic, Table, Reference };
-
-PipelineDesc QuadShaders(const std::string& pixel) {
-    return {.vertex = passes_shaders::Find("shaders/quad.vs"), .pixel = passes_shaders::Find("shaders/" + pixel)};
-}
-
-PipelineDesc SceneShaders(const std::string& pixel) {
-    return {.vertex = passes_shaders::Find("shaders/scene.vs"),
-            .pixel = passes_shaders::Find("shaders/" + pixel),
-            .testsDepth = true};
-}
 
 // A sphere that is longer along its axis.
 MeshData Ellipsoid() {
@@ -54,36 +45,6 @@ MeshData Ceiling() {
         std::swap(vertex.uv.x, vertex.uv.y);
     return mesh;
 }
-
-// The texture with mip levels, each made of the one before.
-class MipChain {
-public:
-    MipChain(Device& device, const char* kernel)
-        : m_halve(device, QuadShaders(fmt::format("texture_halve.ps.KERNEL={}", kernel))),
-          m_all(device, {.extent = kTexture, .name = "mip levels", .levels = MipLevels(kTexture)}) {
-        for (uint32_t level = 1; level < MipLevels(kTexture); level++)
-            m_levels.emplace_back(device, ImageDesc{.extent = LevelExtent(kTexture, level), .name = "mip level"});
-    }
-
-    const Image& Record(CommandList& commands, const Image& source) {
-        const Image* finer = &source;
-        commands.Copy(source, m_all, 0, 0);
-        for (uint32_t level = 1; const Image& image : m_levels) {
-            commands.Draw({.name = fmt::format("mip level {}", level),
-                           .pipeline = m_halve,
-                           .reads = {{"finer", finer}},
-                           .writes = {&image}});
-            commands.Copy(image, m_all, 0, level++);
-            finer = &image;
-        }
-        return m_all;
-    }
-
-private:
-    Pipeline m_halve;
-    Image m_all;
-    std::vector<Image> m_levels;
-};
 
 // Targets of twice the picture's sides, and what has been added up of them.
 struct Samples {
@@ -111,8 +72,8 @@ public:
           m_anisotropic(device, SceneShaders("texture_sampled.ps.SAMPLER=anisotropicRepeat")),
           m_fromTable(device, SceneShaders("texture_table.ps")),
           m_pattern(device, {kTexture, Format::RGBA32F, "pattern"}),
-          m_mips(device, "box"),
-          m_filteredMips(device, "binomial"),
+          m_mips(device, kTexture),
+          m_filteredMips(device, kTexture, "texture_halve.ps"),
           m_table(device, {.extent = kTexture, .codes = {.scale = 255, .largest = 255}}),
           m_picture(device, {inputs.extent, Format::RGBA32F, "picture"}),
           m_depth(device, {inputs.extent, Format::Depth32F, "depth"}) {}
@@ -206,7 +167,7 @@ private:
                      .reads = {read},
                      .writes = {&target},
                      .depth = &depth,
-                     .clearColor = kSky,
+                     .clearColor = glm::vec4(kSky, 0),
                      .clearsDepth = true},
                     objects, moved * ClipFromWorld(camera, m_picture.Extent()), camera.eyeWorld);
     }

@@ -16,7 +16,7 @@ namespace boxcar {
 namespace {
 
 constexpr SATCodes kCodes{65535 / 2.0f, 65535, false};  // light up to 2
-constexpr glm::vec3 kSky{0.52f, 0.62f, 0.75f};
+constexpr float kLargestEtching = 1, kThickestOverDistance = 0.6f;
 
 PipelineDesc FarSides() {
     PipelineDesc desc = SceneShaders("glass_back.ps");
@@ -27,9 +27,11 @@ PipelineDesc FarSides() {
 class Translucency : public Effect {
 public:
     Translucency(Device& device, const EffectInputs& inputs, const ParameterValues&)
-        : m_opaque(device, SceneShaders("scene.ps")),
+        : m_focalTexels(TexelsAtDepthOne(m_camera, inputs.extent)),
+          m_precision(SATExactPrecision(glm::vec2(WidestTexels()), 1, false, kCodes)),
+          m_opaque(device, SceneShaders("scene.ps")),
           m_farSides(device, FarSides()),
-          m_glass(device, SceneShaders("glass.ps")),
+          m_glass(device, SceneShaders(fmt::format("glass.ps.WORDS={}", WordsOf(m_precision)))),
           m_object(UploadMesh(device, StandingMesh(inputs.mesh), "object")),
           m_sphere(UploadMesh(device, Sphere(1, 96, 48), "sphere")),
           m_ground(UploadMesh(device, Ground(24, 1), "floor")),
@@ -37,15 +39,11 @@ public:
           m_back(device, {inputs.extent, Format::RGBA32F, "far side"}),
           m_depth(device, {inputs.extent, Format::Depth32F, "depth"}),
           m_backDepth(device, {inputs.extent, Format::Depth32F, "far side's depth"}),
-          m_table(device, {.extent = inputs.extent, .precision = SATPrecision::U32, .codes = kCodes}) {}
+          m_table(device, {.extent = inputs.extent, .precision = m_precision, .codes = kCodes}) {}
 
 private:
     const Image& Draw(CommandList& commands, const Frame& frame) override {
-        const Camera camera{.eyeWorld = {0, 1.25f, 4.4f},
-                            .targetWorld = {0, 0.62f, 0},
-                            .verticalAngleRadians = 0.62f,
-                            .farDepth = 60};
-        const glm::mat4 clip = ClipFromWorld(camera, m_picture.Extent());
+        const glm::mat4 clip = ClipFromWorld(m_camera, m_picture.Extent());
         const auto time = static_cast<float>(frame.timeSeconds);
         DrawObjects(commands,
                     {.name = "scene",
@@ -54,11 +52,12 @@ private:
                      .depth = &m_depth,
                      .clearColor = glm::vec4(kSky, 1),
                      .clearsDepth = true},
-                    OpaqueObjects(), clip, camera.eyeWorld);
+                    OpaqueObjects(), clip, m_camera.eyeWorld);
         std::vector<SceneObject> glass = GlassObjects(time, frame.values);
         std::ranges::sort(glass, std::greater(), [&](const SceneObject& object) {
-            return glm::distance(object.offsetWorld, camera.eyeWorld);
+            return glm::distance(object.offsetWorld, m_camera.eyeWorld);
         });
+        TexelWords table = m_picture;  // of the object drawn last
         for (const SceneObject& object : glass) {
             DrawObjects(commands,
                         {.name = "far side",
@@ -67,18 +66,18 @@ private:
                          .depth = &m_backDepth,
                          .clearColor = glm::vec4(0),
                          .clearsDepth = true},
-                        std::span(&object, 1), clip, camera.eyeWorld);
-            const TexelWords table = m_table.Record(commands, m_picture);
+                        std::span(&object, 1), clip, m_camera.eyeWorld);
+            table = m_table.Record(commands, m_picture);
             DrawObjects(commands,
                         {.name = "glass",
                          .pipeline = m_glass,
-                         .reads = {{"back", &m_back}, {"table", table.low}},
+                         .reads = TableReads(table, {{"back", &m_back}}),
                          .writes = {&m_picture},
                          .depth = &m_depth},
-                        std::span(&object, 1), clip, camera.eyeWorld);
-            AddStage("table", *table.low);
+                        std::span(&object, 1), clip, m_camera.eyeWorld);
         }
-        AddStage("far side", m_back);
+        AddTableStages("table", table);
+        AddStage("far-side", m_back);
         return m_picture;
     }
 
@@ -96,14 +95,13 @@ private:
     }
 
     std::vector<SceneObject> GlassObjects(float time, const ParameterValues& values) const {
-        const float focalTexels = static_cast<float>(m_picture.Extent().heightTexels) / (2 * std::tan(0.31f));
         SceneObject object{.mesh = &m_object,
                            .scale = 1.25f,
                            .turnRadians = 0.5f * time,
                            .albedo = {0.75f, 0.95f, 0.85f},
-                           .optionA = values["etching"] * focalTexels,
+                           .optionA = values["etching"] * m_focalTexels,
                            .optionB = kCodes.scale,
-                           .optionC = values["bending"] * focalTexels};
+                           .optionC = values["bending"] * m_focalTexels};
         SceneObject ball = object, little = object;
         ball.mesh = little.mesh = &m_sphere;
         ball.offsetWorld = {-1.15f + 0.3f * std::sin(time), 0.5f, 0.3f};
@@ -115,6 +113,13 @@ private:
         return {object, ball, little};
     }
 
+    // Of the blur, through the thickest glass in front of the camera at the largest etching.
+    float WidestTexels() const { return kLargestEtching * m_focalTexels * kThickestOverDistance; }
+
+    Camera m_camera{
+        .eyeWorld = {0, 1.25f, 4.4f}, .targetWorld = {0, 0.62f, 0}, .verticalAngleRadians = 0.62f, .farDepth = 60};
+    float m_focalTexels;
+    SATPrecision m_precision;
     Pipeline m_opaque, m_farSides, m_glass;
     Mesh m_object, m_sphere, m_ground;
     Image m_picture, m_back, m_depth, m_backDepth;
@@ -129,7 +134,8 @@ EffectInfo TranslucencyInfo() {
         .what = "Objects of etched glass, before one another",
         .paper = "Hensley 2005, sect. 5.3, Fig. 8",
         .lookFor = "what is behind is sharp through thin glass, blurred through thick, and through two still more",
-        .parameters = {{"etching", "Width of the blur over the thickness of the glass", "", 0, 1, 0.12f},
+        .parameters = {{"etching", "Width of the blur over the thickness of the glass", "", 0, kLargestEtching,
+                        0.12f},
                        {"bending", "How far the glass displaces what is behind it", "", 0, 1, 0.06f}},
         .takesMesh = true,
         .make = MakeEffect<Translucency>};

@@ -6,6 +6,7 @@
 // Non-goals: parallel projection, infinite or reversed depth.
 #pragma once
 
+#include <cmath>
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/mat4x4.hpp>
@@ -41,6 +42,11 @@ inline glm::mat4 ClipFromView(const Camera& camera, Extent2D extent) {
 
 inline glm::mat4 ClipFromWorld(const Camera& camera, Extent2D extent) {
     return ClipFromView(camera, extent) * ViewFromWorld(camera);
+}
+
+// Texels of the picture across a unit of the world at depth 1.
+inline float TexelsAtDepthOne(const Camera& camera, Extent2D extent) {
+    return static_cast<float>(extent.heightTexels) / (2 * std::tan(camera.verticalAngleRadians / 2));
 }
 
 }  // namespace boxcar

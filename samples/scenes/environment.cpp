@@ -1,5 +1,6 @@
 #include "samples/scenes/environment.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "samples/files/color.h"

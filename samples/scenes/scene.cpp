@@ -1,5 +1,6 @@
 #include "samples/scenes/scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 
@@ -15,9 +16,10 @@ SceneConstants ConstantsOf(const SceneObject& object, const glm::mat4& clipFromW
             eyeWorld,          object.optionC};
 }
 
-PipelineDesc SceneShaders(const std::string& pixel) {
+PipelineDesc SceneShaders(const std::string& pixel, std::vector<Format> targets) {
     return {.vertex = passes_shaders::Find("shaders/scene.vs"),
             .pixel = passes_shaders::Find("shaders/" + pixel),
+            .targets = std::move(targets),
             .testsDepth = true};
 }
 

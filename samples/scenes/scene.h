@@ -10,6 +10,8 @@
 
 namespace boxcar {
 
+constexpr glm::vec3 kSky{0.52f, 0.62f, 0.75f};  // its light behind the sample scenes
+
 struct SceneObject {
     const Mesh* mesh;
     glm::vec3 offsetWorld{0};  // of the mesh's origin
@@ -26,7 +28,7 @@ struct SceneObject {
 SceneConstants ConstantsOf(const SceneObject& object, const glm::mat4& clipFromWorld, glm::vec3 eyeWorld);
 
 // Shaders for objects: scene.vs and "shaders/`pixel`", with a depth test.
-PipelineDesc SceneShaders(const std::string& pixel);
+PipelineDesc SceneShaders(const std::string& pixel, std::vector<Format> targets = {Format::RGBA32F});
 
 // Draws each object as `first` says, with its mesh and constants; what `first` clears is cleared once.
 void DrawObjects(CommandList& commands, Pass first, std::span<const SceneObject> objects,

@@ -1,10 +1,11 @@
 #include "samples/scenes/surroundings.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
-#include "passes_shaders.h"
+#include "runtime/passes/quad_shaders.h"
 #include "runtime/transfer.h"
 
 namespace boxcar {
@@ -38,7 +39,7 @@ Image UploadEnvironment(Device& device, const Environment& environment) {
 }  // namespace
 
 Surroundings::Surroundings(Device& device, const Environment& environment, uint32_t sideTexels)
-    : m_backdrop(device, {passes_shaders::Find("shaders/quad.vs"), passes_shaders::Find("shaders/environment.ps")}),
+    : m_backdrop(device, QuadShaders("environment.ps")),
       m_objects(device, SceneShaders("scene.ps")),
       m_environment(UploadEnvironment(device, environment)),
       m_face(device, {{sideTexels, sideTexels}, Format::RGBA32F, "cube face"}),

@@ -10,7 +10,8 @@
 
 namespace boxcar {
 
-// Holds the environment, the cube map and one face of it: 16 bytes of device memory a texel. Move-only.
+// Holds the environment, the cube map and one face of it, 16 bytes of device memory a texel, and the face's depth, 4.
+// Move-only.
 class Surroundings {
 public:
     // sideTexels: of a face of the cube.

@@ -13,7 +13,7 @@ namespace {
 
 TEST(Gallery, PageShowsEveryPictureAndLoadsNothingElse) {
     const Folder folder;
-    const Outcome outcome = folder.Run("gallery -o shown", "", 600);
+    const Outcome outcome = folder.Run("gallery -o shown --size 96x60", "", 600);
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_EQ(outcome.out, "shown/index.html\n");
     std::ifstream file(folder.Path("shown/index.html"));

@@ -1,6 +1,7 @@
 // boxcar render, sweep, inspect, list and fit-lobe.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -138,7 +139,7 @@ TEST(Inspect, KnowsTablesOfIntegersAndRefusesWrongStagesAndPixels) {
     EXPECT_EQ(json::parse(last.out).at("pixel"), json::parse(table.out).at("max"));
     const Outcome stage = folder.Run("inspect planar-reflection --stage depths");
     EXPECT_EQ(stage.exitCode, 2);
-    EXPECT_EQ(stage.err, "boxcar: --stage depths: there is reflected, table, picture\n");
+    EXPECT_EQ(stage.err, "boxcar: --stage depths: there is reflected, table, table-high, picture\n");
     const Outcome pixel = folder.Run("inspect planar-reflection --size 16x16 --stage table --pixel 16,0");
     EXPECT_EQ(pixel.exitCode, 2);
     EXPECT_EQ(pixel.err, "boxcar: --pixel 16,0: expected x,y from 0,0 to 15,15\n");

@@ -15,6 +15,13 @@ namespace boxcar {
 
 using Settings = std::vector<std::pair<std::string, std::string>>;  // name, value; the rest is at its initial value
 
+inline std::vector<std::string> EffectNames() {
+    std::vector<std::string> names;
+    for (const EffectInfo& info : Effects())
+        names.emplace_back(info.name);
+    return names;
+}
+
 class EffectPictures {
 public:
     // With the bunny in venice, where the effect takes them. `fixed` holds for every picture.
@@ -22,6 +29,13 @@ public:
         : m_info(FindEffect(effectName)),
           m_fixed(std::move(fixed)),
           m_effect(m_info.make(TestDevice(), InputsFor(m_info, extent), ValuesOf({}))) {}
+
+    // What an effect is made for where nothing else is asked: the bunny, venice.
+    static EffectInputs InputsFor(const EffectInfo& info, Extent2D extent) {
+        return {.extent = extent,
+                .environment = info.takesEnvironment ? SampleEnvironment("venice") : Environment(),
+                .mesh = info.takesMesh ? SampleMesh("bunny") : MeshData()};
+    }
 
     Texels Picture(const Settings& settings = {}, double timeSeconds = 0) {
         const ParameterValues values = ValuesOf(settings);
@@ -39,12 +53,6 @@ public:
     }
 
 private:
-    static EffectInputs InputsFor(const EffectInfo& info, Extent2D extent) {
-        return {.extent = extent,
-                .environment = info.takesEnvironment ? SampleEnvironment("venice") : Environment(),
-                .mesh = info.takesMesh ? SampleMesh("bunny") : MeshData()};
-    }
-
     ParameterValues ValuesOf(const Settings& settings) const {
         ParameterValues values(m_info.parameters);
         for (const Settings& list : {m_fixed, settings})

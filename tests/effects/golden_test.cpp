@@ -4,6 +4,7 @@
 //   BOXCAR_BLESS=1 test_effects --gtest_filter='*Golden*'   writes them anew: only on lavapipe, and look at them
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -34,13 +35,6 @@ Picture Shown(const Texels& texels) {
 
 bool IsBlessing() {
     return std::getenv("BOXCAR_BLESS") != nullptr;
-}
-
-std::vector<std::string> EffectNames() {
-    std::vector<std::string> names;
-    for (const EffectInfo& info : Effects())
-        names.emplace_back(info.name);
-    return names;
 }
 
 class Golden : public testing::TestWithParam<std::string> {};

@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "passes_shaders.h"
+#include "test_support_shaders.h"
+#include "tests/support/device_image.h"
 #include "tests/support/expect_error.h"
 
 namespace boxcar {
@@ -65,15 +69,23 @@ TEST(LobeFit, NoStackNearbyIsBetter) {
         }
 }
 
-// hlsl/boxcar/box_stack.hlsli, in sigma = 0.5 / sqrt(n + 1).
+// hlsl/boxcar/box_stack.hlsli, in sigma = 0.5 / sqrt(n).
 TEST(LobeFit, TheShadersStacksAreTheBestOnes) {
-    const double sigma = 0.5 / std::sqrt(20001.0);
-    const BoxStackFit four = FitBoxStack(PhongLobe(20000), 4);
-    constexpr double kHalfWidths[] = {0.758344, 1.164699, 1.600051, 2.259895};
-    constexpr double kWeights[] = {0.108021, 0.213654, 0.310252, 0.368072};
-    for (size_t i = 0; i < 4; i++) {
-        EXPECT_NEAR(four.halfWidths[i] / sigma, kHalfWidths[i], 0.01);
-        EXPECT_NEAR(four.weights[i], kWeights[i], 0.004);
+    const double sigma = 0.5 / std::sqrt(20000.0);
+    const Pipeline pipeline(
+        TestDevice(), {passes_shaders::Find("shaders/quad.vs"), test_support_shaders::Find("shaders/box_stack.ps")});
+    const Image table(TestDevice(), {{6, 6}, Format::RGBA32F, "stacks"});
+    CommandList commands(TestDevice());
+    commands.Draw({.name = "stacks", .pipeline = pipeline, .writes = {&table}});
+    commands.SubmitAndWait();
+    const Texels stacks = Download(table);
+    for (size_t boxes = 1; boxes <= 6; boxes++) {
+        const BoxStackFit fit = FitBoxStack(PhongLobe(20000), static_cast<int>(boxes));
+        for (size_t i = 0; i < boxes; i++) {
+            const glm::vec4& shown = stacks[(boxes - 1) * 6 + i];
+            EXPECT_NEAR(fit.halfWidths[i] / sigma, shown.x, 0.002) << boxes << ", " << i;
+            EXPECT_NEAR(fit.weights[i], shown.y, 0.001) << boxes << ", " << i;
+        }
     }
 }
 

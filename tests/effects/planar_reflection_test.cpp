@@ -1,8 +1,10 @@
 // The reflection on a floor, and glass, against what they must be in any scene.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "passes_shaders.h"
 #include "test_support_shaders.h"
@@ -98,22 +100,39 @@ TEST(Translucency, MoreEtchingShowsLessOfWhatIsBehind) {
     }
 }
 
-TEST(Translucency, GlassWithoutThicknessLeavesThePictureAsItIs) {
-    EffectPictures effect("translucency", kExtent);
-    const Texels picture = effect.Picture();
-    const Texels farSide = effect.Stage("far side");
-    const Texels other = effect.Picture({{"etching", "1"}, {"bending", "1"}});
-    size_t outside = 0, inside = 0;
-    for (size_t i = 0; i < picture.size(); i++) {
-        if (i < 40 * 320) {  // above all glass
-            outside++;
-            EXPECT_EQ(picture[i], other[i]);
-        } else if (farSide[i].x > 0) {
-            inside++;
+// The nearest object is a sphere of radius 0.32 at (0.5, 0.32, 1.1), seen from (0, 1.25, 4.4) towards (0, 0.62, 0) at
+// 0.62 radians. Where a ray leaves it, in double.
+TEST(Translucency, BlursByTheThicknessOfTheGlass) {
+    EffectPictures effect("translucency", kExtent, {{"bending", "0"}});
+    const Texels clear = effect.Picture({{"etching", "0"}}), etched = effect.Picture({{"etching", "0.4"}});
+    const Texels farSide = effect.Stage("far-side");
+    const glm::dvec3 eye(0, 1.25, 4.4), centre(0.5, 0.32, 1.1);
+    const glm::dvec3 forward = glm::normalize(glm::dvec3(0, 0.62, 0) - eye);
+    const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 1, 0))),
+                     up = glm::cross(right, forward);
+    double thin = 0, thick = 0;
+    int thins = 0, thicks = 0;
+    for (uint32_t y = 0; y < kExtent.heightTexels; y++)
+        for (uint32_t x = 0; x < kExtent.widthTexels; x++) {
+            const double half = std::tan(0.31), px = (2 * x + 1.0) / 320 - 1, py = 1 - (2 * y + 1.0) / 180;
+            const glm::dvec3 ray = glm::normalize(forward + half * (px * 320 / 180 * right + py * up));
+            const double along = glm::dot(centre - eye, ray);
+            const double chord = 0.32 * 0.32 - (glm::dot(centre - eye, centre - eye) - along * along);
+            if (chord <= 0.001) continue;
+            const size_t i = size_t{y} * kExtent.widthTexels + x;
+            EXPECT_NEAR(farSide[i].x, along + std::sqrt(chord), 0.01) << x << ", " << y;
+            const float change = LargestDifference(clear[i], etched[i]);
+            if (2 * std::sqrt(chord) < 0.2) {
+                thin += change;
+                thins++;
+            } else if (2 * std::sqrt(chord) > 0.5) {
+                thick += change;
+                thicks++;
+            }
         }
-    }
-    EXPECT_GT(outside, 0u);
-    EXPECT_GT(inside, 500u);
+    EXPECT_GT(thins, 50);
+    EXPECT_GT(thicks, 500);
+    EXPECT_GT(thick / thicks, 2 * thin / thins);
 }
 
 TEST(ParaboloidDirect, SubdivisionCuresTheStraightLines) {
@@ -121,7 +140,7 @@ TEST(ParaboloidDirect, SubdivisionCuresTheStraightLines) {
     for (const char* subdivisions : {"0", "1", "2", "3", "4"}) {
         EffectPictures effect("paraboloid-direct", {64, 32}, {{"subdivisions", subdivisions}, {"face", "128"}});
         effect.Picture();
-        const Texels direct = effect.Stage("front, direct"), viaCube = effect.Stage("front, cube");
+        const Texels direct = effect.Stage("front-direct"), viaCube = effect.Stage("front-cube");
         double wrong = 0, all = 0;
         for (int y = 0; y < 128; y++)
             for (int x = 0; x < 128; x++) {

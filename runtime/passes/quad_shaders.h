@@ -1,0 +1,20 @@
+// The shaders of an image-to-image pass.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "passes_shaders.h"
+#include "runtime/pipeline.h"
+
+namespace boxcar {
+
+// quad.vs and "shaders/`pixel`".
+inline PipelineDesc QuadShaders(const std::string& pixel, std::vector<Format> targets = {Format::RGBA32F}) {
+    return {.vertex = passes_shaders::Find("shaders/quad.vs"),
+            .pixel = passes_shaders::Find("shaders/" + pixel),
+            .targets = std::move(targets)};
+}
+
+}  // namespace boxcar
