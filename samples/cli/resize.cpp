@@ -28,8 +28,8 @@ struct ResizeOptions : BatchOptions {
 };
 
 Extent2D ResultExtent(Extent2D source, const ResizeOptions& options, const Device& device) {
+    if (!options.extent.empty()) return ParseExtent(options.extent);
     const uint32_t limit = device.Limits().maxSideTexels;
-    if (!options.extent.empty()) return ParseExtent(options.extent, limit);
     const auto side = [&](uint32_t texels) { return std::round(std::max(1.0, options.scale * texels)); };
     const double width = side(source.widthTexels), height = side(source.heightTexels);
     if (width > limit || height > limit)

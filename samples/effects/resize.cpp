@@ -21,9 +21,11 @@ const char* ShaderOf(ResizeFilter filter) {
 }
 
 ResizeConstants ConstantsFor(Extent2D source, Extent2D result) {
-    return {.extentTexels = int2(source.widthTexels, source.heightTexels),
-            .stepTexels = {static_cast<float>(source.widthTexels) / static_cast<float>(result.widthTexels),
-                           static_cast<float>(source.heightTexels) / static_cast<float>(result.heightTexels)}};
+    ResizeConstants constants{};
+    constants.extentTexels = int2(source.widthTexels, source.heightTexels);
+    constants.stepTexels =
+        float2(source.widthTexels, source.heightTexels) / float2(result.widthTexels, result.heightTexels);
+    return constants;
 }
 
 ShrinkDesc Checked(const ShrinkDesc& desc) {
