@@ -9,6 +9,7 @@
 #include "hlsl/constants/bspline_constants.h"
 #include "passes_shaders.h"
 #include "runtime/passes/bspline_prefilter.h"
+#include "runtime/passes/quad_shaders.h"
 #include "samples/effects/resize.h"
 #include "test_support_shaders.h"
 #include "tests/hlsl/test_constants.h"
@@ -67,6 +68,28 @@ double LargestError(const std::string& form, Extent2D extent, KernelX kernelX, K
 
 auto Spline(int order) {
     return [order](double x) { return reference::BSplineDerivative(order, x); };
+}
+
+// And so they add up to what the splines' do: 1, 0 and 0.
+TEST(BSpline, WeightsAreTheBasisAtTheTexels) {
+    constexpr uint32_t kPoints = 256;
+    for (int order = 0; order < 3; order++) {
+        const Pipeline pipeline(TestDevice(), QuadShaders(fmt::format("bspline_weights.ps.ORDER={}", order)));
+        const Image result(TestDevice(), {{kPoints, 1}, Format::RGBA32F, "weights"});
+        const BSplineWeightsConstants constants{kPoints};
+        CommandList commands(TestDevice());
+        commands.Draw(
+            {.name = "weights", .pipeline = pipeline, .writes = {&result}, .constants = ConstantBytes(constants)});
+        commands.SubmitAndWait();
+        const Texels weights = Download(result);
+        for (uint32_t i = 0; i < kPoints; i++) {
+            const double t = (i + 0.5) / kPoints;
+            for (int k = 0; k < 4; k++)
+                ASSERT_NEAR(weights[i][k], reference::BSplineDerivative(order, t + 1 - k), 1.5e-7)
+                    << order << " " << t;
+            ASSERT_NEAR(weights[i].x + weights[i].y + weights[i].z + weights[i].w, order == 0 ? 1 : 0, 2e-7);
+        }
+    }
 }
 
 // For derivatives a jump of the pattern between two texels would count: third derivatives are not asked for.
@@ -223,6 +246,7 @@ TEST(Resize, OffsetsInCppEqualThoseInTheShaders) {
                            OFFSET(ResizeConstants, order), OFFSET(ResizeConstants, codeScale),
                            OFFSET(ResizeConstants, isSigned)};
     EXPECT_EQ(OffsetsIn("shaders/resize_table.ps"), table);
+    EXPECT_EQ(OffsetsIn("shaders/bspline_weights.ps.ORDER=0"), (Offsets{OFFSET(BSplineWeightsConstants, points)}));
     EXPECT_EQ(OffsetsIn("shaders/bspline_prefilter.ps"), (Offsets{OFFSET(BSplinePrefilterConstants, stepTexels)}));
 }
 
