@@ -8,6 +8,7 @@
 //   BSplineHG, BSplineHG1                               the two fetches: offsets and share
 //   BSplineHGOf                                         the same for any four weights, such as GaussianWeights
 //   CatmullRomWeights                                   of the cubic that goes through the texels
+//   BSplineKernel, CatmullRomKernel                     of one texel, by its distance
 //
 // Derivatives are per texel: times the picture's size they are per uv. bspline_sample.hlsli and bspline_gradient.hlsli fetch.
 //
@@ -85,6 +86,23 @@ float4 CatmullRomWeights(float t)
 {
     float s = 1.0 - t;
     return 0.5 * float4(-t * s * s, 2.0 + t * t * (3.0 * t - 5.0), 2.0 + s * s * (3.0 * s - 5.0), -s * t * t);
+}
+
+// BSplineKernel: the weight of a texel so many texels away.
+//
+// Error: 1 u.
+float BSplineKernel(float distanceTexels)
+{
+    float a = abs(distanceTexels);
+    float outer = saturate(0.5 * (2.0 - a)), inner = saturate(1.0 - a);
+    return (8.0 * outer * outer * outer - 4.0 * inner * inner * inner) / 6.0;
+}
+
+// CatmullRomKernel: the weight of a texel so many texels away; exactly 1 at 0 and 0 at every other texel.
+float CatmullRomKernel(float distanceTexels)
+{
+    float a = min(abs(distanceTexels), 2.0);
+    return a < 1.0 ? (1.5 * a - 2.5) * a * a + 1.0 : ((2.5 - 0.5 * a) * a - 4.0) * a + 2.0;
 }
 
 #endif

@@ -20,14 +20,11 @@ struct BSplineWeightsConstants
     float points;  // of the curve, from one texel to the next
 };
 
-// resize.ps, resize_table.ps
+// resize.ps: along one axis.
 struct ResizeConstants
 {
-    int2 extentTexels;   // of the source
-    float2 stepTexels;   // of the source, from one texel of the result to the next
-    int order;           // of the table: 2 or 3
-    float codeScale;     // what 1 is in its codes
-    int isSigned;
+    float stepTexels;  // of the source, from one texel of the result to the next
+    int alongX;
 };
 
 #ifdef __cplusplus

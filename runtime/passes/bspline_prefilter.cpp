@@ -5,22 +5,18 @@
 
 namespace boxcar {
 
-BSplinePrefilter::BSplinePrefilter(Device& device, Extent2D extent)
-    : m_pipeline(device, QuadShaders("bspline_prefilter.ps")),
-      m_alongX(device, {extent, Format::RGBA32F, "coefficients along x"}),
+BSplinePrefilter::BSplinePrefilter(Device& device, Extent2D extent, Axis axis)
+    : m_axis(axis),
+      m_pipeline(device, QuadShaders("bspline_prefilter.ps")),
       m_coefficients(device, {extent, Format::RGBA32F, "coefficients"}) {}
 
 const Image& BSplinePrefilter::Record(CommandList& commands, const Image& source) {
-    const auto along = [&](const Image& from, const Image& to, int2 stepTexels) {
-        const BSplinePrefilterConstants constants{stepTexels};
-        commands.Draw({.name = "prefilter",
-                       .pipeline = m_pipeline,
-                       .reads = {{"source", &from}},
-                       .writes = {&to},
-                       .constants = ConstantBytes(constants)});
-    };
-    along(source, m_alongX, {1, 0});
-    along(m_alongX, m_coefficients, {0, 1});
+    const BSplinePrefilterConstants constants{m_axis == Axis::X ? int2(1, 0) : int2(0, 1)};
+    commands.Draw({.name = m_axis == Axis::X ? "prefilter x" : "prefilter y",
+                   .pipeline = m_pipeline,
+                   .reads = {{"source", &source}},
+                   .writes = {&m_coefficients},
+                   .constants = ConstantBytes(constants)});
     return m_coefficients;
 }
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "runtime/passes/quad_shaders.h"
-#include "samples/cli/codes.h"
 #include "samples/cli/device_run.h"
 #include "samples/cli/light.h"
 #include "samples/cli/plot.h"
@@ -33,11 +32,11 @@ public:
     GallerySection Smaller();
 
 private:
-    Texels Enlarged(const Texels& source, const ResizeDesc& desc) {
+    Texels Resized(const Texels& source, const ResizeDesc& desc) {
         const Image image = Upload(m_device, desc.source, std::span(source), "source");
-        Enlarge enlarge(m_device, desc);
+        Resize resize(m_device, desc);
         CommandList commands(m_device);
-        const Image& result = enlarge.Record(commands, image);
+        const Image& result = resize.Record(commands, image);
         commands.SubmitAndWait();
         return Download<glm::vec4>(m_device, result);
     }
@@ -104,7 +103,7 @@ GallerySection Figures::Kernels() {
                    .notes = {}};
     for (size_t f = 0; f < std::size(kFilters); f++) {
         const Texels wide =
-            Enlarged(impulse, {{kTexels, 1}, {kTexels * kScale, 1}, {1.0f / kScale, 1}, kFilters[f].first});
+            Resized(impulse, {{kTexels, 1}, {kTexels * kScale, 1}, {1.0f / kScale, 1}, kFilters[f].first});
         Curve curve{kFilters[f].second, {}, static_cast<int>(f), f == 0, false};
         for (uint32_t x = kScale / 2; x + kScale / 2 < kTexels * kScale; x++)
             curve.points.emplace_back((x + 0.5) / kScale - 0.5 * kTexels, wide[x].x);
@@ -134,7 +133,7 @@ GallerySection Figures::Larger(const Picture& photograph) {
             piece.push_back(light[(kTop + y) * photograph.widthTexels + kLeft + x]);
     const Picture like{kLarge.widthTexels, kLarge.heightTexels, photograph.channels, photograph.stored, {}};
     for (const auto& [filter, name] : kFilters) {
-        const Texels large = Enlarged(piece, {kPiece, kLarge, float2(0.125f), filter});
+        const Texels large = Resized(piece, {kPiece, kLarge, float2(0.125f), filter});
         section.figures.push_back(SaveFigure(m_folder, fmt::format("larger_{}.png", section.figures.size()),
                                              FromLight(large, like, Transfer::Srgb, SampleType::Unorm8),
                                              fmt::format("{}.", name)));
@@ -145,39 +144,25 @@ GallerySection Figures::Larger(const Picture& photograph) {
 GallerySection Figures::Smaller() {
     GallerySection section{
         "Smaller without aliases: boxcar resize --scale 0.25",
-        "Heckbert 1986, as in Hensley 2005, sect. 2",
+        "beyond the papers",
         "Rings that are finer the farther they are from the middle, a quarter as large. Beyond half of the way out "
-        "the small picture cannot hold them. One texel of sixteen shows rings that are not there; under a kernel as "
-        "wide as the small picture's texels, of tables of second and third order, they become grey.",
+        "the small picture cannot hold them. One texel of sixteen shows rings that are not there; under kernels as "
+        "wide as the small picture's texels they become grey, the sooner the more the kernel smooths.",
         {},
         {}};
     constexpr Extent2D kPlate{1200, 1200}, kSmall{300, 300};
-    Picture plate{kPlate.widthTexels, kPlate.heightTexels, 1, SampleType::Unorm8, {}};
+    Texels plate;
     for (uint32_t y = 0; y < kPlate.heightTexels; y++)
         for (uint32_t x = 0; x < kPlate.widthTexels; x++) {
             const double dx = x - 599.5, dy = y - 599.5;
-            const double wave = std::cos((dx * dx + dy * dy) * 3.14159265358979 / 2 / 1200);
-            plate.samples.push_back(static_cast<float>(std::round(127.5 + 127.5 * wave) / 255));
+            plate.emplace_back(0.5 + 0.5 * std::cos((dx * dx + dy * dy) * 3.14159265358979 / 2 / 1200));
         }
     const Picture like{kSmall.widthTexels, kSmall.heightTexels, 1, SampleType::Unorm8, {}};
-    const auto save = [&](const char* file, const Texels& texels, const char* caption) {
-        section.figures.push_back(
-            SaveFigure(m_folder, file, FromLight(texels, like, Transfer::Raw, SampleType::Unorm8), caption));
-    };
-    ResizeDesc desc{kPlate, kSmall, float2(4), ResizeFilter::Nearest};
-    save("smaller_nearest.png", Enlarged(ToLight(plate, Transfer::Raw), desc), "nearest.");
-    const SATCodes codes = CodesFor(plate, "plate", Transfer::Raw, SATPrecision::U64);
-    const UploadedWords words =
-        UploadCodes(m_device, plate, Transfer::Raw, SATPrecision::U64, 0, kPlate.heightTexels);
-    for (const auto& [filter, file, caption] :
-         {std::tuple(ResizeFilter::Linear, "smaller_linear.png", "linear: a tent."),
-          std::tuple(ResizeFilter::BSpline, "smaller_bspline.png", "bspline: a parabola.")}) {
-        desc.filter = filter;
-        Shrink shrink(m_device, desc, codes);
-        CommandList commands(m_device);
-        const Image& result = shrink.Record(commands, words);
-        commands.SubmitAndWait();
-        save(file, Download<glm::vec4>(m_device, result), caption);
+    for (const auto& [filter, name] : kFilters) {
+        const Texels small = Resized(plate, {kPlate, kSmall, float2(4), filter});
+        section.figures.push_back(SaveFigure(m_folder, fmt::format("smaller_{}.png", section.figures.size()),
+                                             FromLight(small, like, Transfer::Raw, SampleType::Unorm8),
+                                             fmt::format("{}.", name)));
     }
     return section;
 }

@@ -9,7 +9,7 @@
 
 #include "runtime/passes/quad_shaders.h"
 #include "samples/cli/batch.h"
-#include "samples/cli/codes.h"
+#include "samples/cli/device_run.h"
 #include "samples/cli/light.h"
 #include "samples/effects/resize.h"
 
@@ -47,7 +47,7 @@ ResizeDesc DescFor(Extent2D source, const ResizeOptions& options, const Device& 
     return desc;
 }
 
-Stats Resize(Device& device, const Job& job, const ResizeOptions& options) {
+Stats ResizePicture(Device& device, const Job& job, const ResizeOptions& options) {
     const Picture picture = ReadForDevice(job.input, device, options.read);
     RequireWritable(job.output, job.format, picture.channels);
     const Transfer transfer = TransferFor(picture, options.read);
@@ -55,32 +55,21 @@ Stats Resize(Device& device, const Job& job, const ResizeOptions& options) {
     const ResizeDesc desc = DescFor(source, options, device);
 
     CommandList commands(device, CommandList::Timing::On);
-    std::vector<glm::vec4> texels;
-    Stats stats{.input = job.input, .output = job.output, .extent = desc.result};
-    const auto bringBack = [&](const Image& result) {
-        commands.SubmitAndWait();
-        texels = Download<glm::vec4>(device, result);
-        stats.deviceBytes = device.MemoryBytes();
-    };
-    if (IsShrunk(desc)) {
-        const SATCodes codes = CodesFor(picture, job.input, transfer, SATPrecision::U64, Rounding::Allow);
-        const UploadedWords words = UploadCodes(device, picture, transfer, SATPrecision::U64, 0, source.heightTexels);
-        Shrink shrink(device, desc, codes);
-        bringBack(shrink.Record(commands, words));
-        stats.precision = SATPrecisionName(SATPrecision::U64);
-        stats.tableBytes = SummedAreaTableBytes(source, SATPrecision::U64);
-    } else {
-        const std::vector<glm::vec4> light = ToLight(picture, transfer);
-        const Image image = Upload(device, source, std::span(light), "source");
-        Enlarge enlarge(device, desc);
-        bringBack(enlarge.Record(commands, image));
-    }
+    const std::vector<glm::vec4> light = ToLight(picture, transfer);
+    const Image image = Upload(device, source, std::span(light), "source");
+    Resize resize(device, desc);
+    const Image& result = resize.Record(commands, image);
+    commands.SubmitAndWait();
+    const std::vector<glm::vec4> texels = Download<glm::vec4>(device, result);
     RequireFiniteSums(texels, job.input);
-    stats.passes = commands.PassTimes();
     const SampleType sampleType = SampleTypeFor(job.format, picture.stored);
     const Picture like{desc.result.widthTexels, desc.result.heightTexels, picture.channels, picture.stored, {}};
     WritePicture(FromLight(texels, like, transfer, sampleType), job.output, job.format, sampleType);
-    return stats;
+    return {.input = job.input,
+            .output = job.output,
+            .extent = desc.result,
+            .passes = commands.PassTimes(),
+            .deviceBytes = device.MemoryBytes()};
 }
 
 struct DeriveOptions : BatchOptions {
@@ -124,10 +113,8 @@ void AddResizeCommand(CLI::App& app) {
     CLI::App& command =
         *app.add_subcommand("resize", "A picture at another size, under filters of up to third order");
     command.footer(
-        "Texel x of the result reads the picture at (x + 0.5) / S - 0.5; edge texels go on outside. Smaller results "
-        "are\n"
-        "made under kernels as wide as their texels, from a table of whole numbers: a tent, for bspline a "
-        "parabola.\n\n"
+        "Texel x of the result reads the picture at (x + 0.5) / S - 0.5; edge texels go on outside. For a smaller\n"
+        "result the filter is as wide as its texels, so that nothing aliases.\n\n"
         "Examples:\n"
         "  boxcar resize photo.jpg -o large.png --scale 3\n"
         "  boxcar resize photo.jpg -o thumbnail.jpg --size 160x120 --filter linear");
@@ -147,7 +134,7 @@ void AddResizeCommand(CLI::App& app) {
         if (options->scale && !(*options->scale > 0 && *options->scale <= 16384))
             throw UsageError("--scale {:g}: expected a number above 0 and at most 16384", *options->scale);
         RunBatch("resize", *options, PlanJobs(options->files),
-                 [&](Device& device, const Job& job) { return Resize(device, job, *options); });
+                 [&](Device& device, const Job& job) { return ResizePicture(device, job, *options); });
     });
 }
 

@@ -1,14 +1,18 @@
 // An image at another size. The centre of texel x of the result lies (x + 0.5) steps behind the source's edge.
 //
-//   larger:   source  ->  [BSplinePrefilter]  ->  resize.ps
-//   smaller:  codes   ->  SummedAreaTable     ->  resize_table.ps: kernels as wide as a texel of the result
+//   source  ->  [prefilter]  ->  resize.ps  ->  [prefilter]  ->  along x, and then the same along y
 //
-// Sigg 2005 (filters); Heckbert 1986 (tables of higher order)
+// The kernel is as wide as a texel of the source, or of the result where that is larger: so nothing aliases. The
+// interpolating spline's prefilter stands on the side of the larger texels.
+//
+// Sigg 2005 (filters)
 #pragma once
+
+#include <optional>
+#include <vector>
 
 #include "hlsl/constants/bspline_constants.h"
 #include "runtime/passes/bspline_prefilter.h"
-#include "runtime/passes/sat_filter.h"
 
 namespace boxcar {
 
@@ -27,40 +31,25 @@ struct ResizeDesc {
     ResizeFilter filter = ResizeFilter::InterpolatingBSpline;
 };
 
-// Whether the result's texels are larger than the source's on an axis and its filter then takes the mean over them.
-bool IsShrunk(const ResizeDesc& desc);
-
-// For what is not shrunk. Move-only. Not thread-safe.
-class Enlarge {
+// Holds an image of the result's width and the source's height, one of the result, and the prefilter's: 16 bytes of
+// device memory a texel each. Move-only. Not thread-safe.
+class Resize {
 public:
-    Enlarge(Device& device, const ResizeDesc& desc);
+    Resize(Device& device, const ResizeDesc& desc);
 
-    // Returns the result, RGBA32F. Cost a texel: 1 load for Nearest, else 16.
+    // Returns the result, RGBA32F. The edge texel goes on outside. Cost: along each axis 2 (linear) or 4 loads a
+    // texel of the result where that is larger, of the source where it is smaller.
     const Image& Record(CommandList& commands, const Image& source);
 
 private:
-    ResizeConstants m_constants;
+    struct AxisPasses {
+        ResizeConstants constants;
+        std::optional<BSplinePrefilter> before, after;
+        Image result;
+    };
+
     Pipeline m_pipeline;
-    std::optional<BSplinePrefilter> m_prefilter;
-    Image m_result;
-};
-
-// For what is shrunk: under a tent, as linear interpolation is; for BSpline under a parabola. Move-only. Not
-// thread-safe.
-class Shrink {
-public:
-    // Throws Error: the sum under the kernel may not fit into 64 bits; the line names the widest that does.
-    Shrink(Device& device, const ResizeDesc& desc, const SATCodes& codes);
-
-    // Returns the result, RGBA32F. `codes`: as of SummedAreaTable, two words. Cost a texel: 121 or 361 loads of two
-    // words.
-    const Image& Record(CommandList& commands, TexelWords codes);
-
-private:
-    ResizeConstants m_constants;
-    SummedAreaTable m_table;
-    Pipeline m_pipeline;
-    Image m_result;
+    std::vector<AxisPasses> m_axes;
 };
 
 }  // namespace boxcar

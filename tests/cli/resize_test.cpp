@@ -7,7 +7,6 @@
 
 #include "tests/cli/program.h"
 #include "tests/reference/bspline.h"
-#include "tests/reference/order.h"
 
 namespace boxcar {
 namespace {
@@ -71,17 +70,32 @@ TEST(Resize, LargerPicturesAreTheSplineWhereItSays) {
     }
 }
 
-TEST(Resize, SmallerPicturesAreMeansUnderTheKernelOfATexel) {
+TEST(Resize, SmallerPicturesAreMeansUnderStretchedKernels) {
     const Folder folder;
     const auto light = ReferenceLight(WriteFloats(folder, 60, 40), false);
-    for (const auto& [filter, order] :
-         {std::pair("linear", 2), std::pair("bspline", 3), std::pair("catmull-rom", 2)}) {
+    const std::pair<const char*, Kernel> filters[] = {
+        {"linear", Linear}, {"bspline", Cubic}, {"catmull-rom", reference::CatmullRom}};
+    for (const auto& [filter, kernel] : filters) {
         ASSERT_EQ(folder.Run(fmt::format("resize in.exr -o out.exr --scale 0.3 --filter {}", filter)).exitCode, 0);
-        ExpectTexels(folder, 18, 12, 1e-5, filter, [&, o = order](uint32_t x, uint32_t y) {
-            return reference::FilterMean(light, o, (x + 0.5) / 0.3, (y + 0.5) / 0.3, 1 / 0.3, 1 / 0.3,
-                                         reference::Border::Clip);
+        ExpectTexels(folder, 18, 12, 5e-6, filter, [&, k = kernel](uint32_t x, uint32_t y) {
+            return reference::StretchedMean(light, (x + 0.5) / 0.3, (y + 0.5) / 0.3, 1 / 0.3, 1 / 0.3, k);
         });
     }
+    // Smaller along x, larger along y.
+    ASSERT_EQ(folder.Run("resize in.exr -o out.exr --size 20x60 --filter linear").exitCode, 0);
+    ExpectTexels(folder, 20, 60, 5e-6, "20x60", [&](uint32_t x, uint32_t y) {
+        return reference::StretchedMean(light, (x + 0.5) * 3, (y + 0.5) * 2 / 3, 3, 1, Linear);
+    });
+    // The cardinal spline, stretched: means under the B-spline, and then what makes a B-spline go through them.
+    reference::DoubleImage means{18, 12, {}};
+    for (int y = 0; y < 12; y++)
+        for (int x = 0; x < 18; x++)
+            means.texels.push_back(
+                reference::StretchedMean(light, (x + 0.5) / 0.3, (y + 0.5) / 0.3, 1 / 0.3, 1 / 0.3, Cubic));
+    means = reference::SplineCoefficients(means);
+    ASSERT_EQ(folder.Run("resize in.exr -o out.exr --scale 0.3").exitCode, 0);
+    ExpectTexels(folder, 18, 12, 1e-5, "interpolating",
+                 [&](uint32_t x, uint32_t y) { return means.At(static_cast<int>(x), static_cast<int>(y)); });
 }
 
 TEST(Resize, ByOneIsTheIdentityUnlessTheFilterSmooths) {

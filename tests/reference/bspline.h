@@ -45,6 +45,22 @@ glm::dvec4 CubicSum(const DoubleImage& image, double x, double y, KernelX kernel
     return sum;
 }
 
+// The mean of texels round (x, y), in edge coordinates, under kernels stretched by scaleX and scaleY.
+template <typename Kernel>
+glm::dvec4 StretchedMean(const DoubleImage& image, double x, double y, double scaleX, double scaleY, Kernel kernel) {
+    glm::dvec4 sum(0);
+    double weights = 0;
+    const int reachX = static_cast<int>(3 * scaleX), reachY = static_cast<int>(3 * scaleY);
+    const int left = static_cast<int>(std::floor(x)), top = static_cast<int>(std::floor(y));
+    for (int j = top - reachY; j <= top + reachY; j++)
+        for (int i = left - reachX; i <= left + reachX; i++) {
+            const double weight = kernel((i + 0.5 - x) / scaleX) * kernel((j + 0.5 - y) / scaleY);
+            sum += weight * image.At(std::clamp(i, 0, image.width - 1), std::clamp(j, 0, image.height - 1));
+            weights += weight;
+        }
+    return sum / weights;
+}
+
 // The coefficients whose cubic B-spline goes through f, along a line that is mirrored at its ends: solves
 // (c[i - 1] + 4 c[i] + c[i + 1]) / 6 = f[i] by Thomas' elimination.
 inline std::vector<double> SolveLine(const std::vector<double>& f) {
