@@ -34,10 +34,12 @@ void PrintStats(const Stats& stats, const DeviceInfo& device) {
                stats.extent.heightTexels, device.name, device.driver);
     for (const PassTime& pass : stats.passes)
         fmt::print(stderr, "  {:14} {:9.3f} ms\n", pass.name, pass.milliseconds);
-    fmt::print(stderr, "  {} passes {:.3f} ms; device memory {:.1f} MiB, {:.1f} MiB of it the {}table's\n",
-               stats.passes.size(), TotalMilliseconds(stats), static_cast<double>(stats.deviceBytes) / (1 << 20),
-               static_cast<double>(stats.tableBytes) / (1 << 20),
-               stats.precision.empty() ? "" : stats.precision + " ");
+    const auto mebibytes = [](uint64_t bytes) { return static_cast<double>(bytes) / (1 << 20); };
+    fmt::print(stderr, "  {} passes {:.3f} ms; device memory {:.1f} MiB", stats.passes.size(),
+               TotalMilliseconds(stats), mebibytes(stats.deviceBytes));
+    if (stats.tableBytes > 0)
+        fmt::print(stderr, ", {:.1f} MiB of it the {} table's", mebibytes(stats.tableBytes), stats.precision);
+    fmt::print(stderr, "\n");
 }
 
 }  // namespace boxcar
