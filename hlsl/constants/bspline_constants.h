@@ -24,6 +24,13 @@ struct ResizeConstants
     int isSigned;
 };
 
+// bspline_lookup.ps
+struct BSplineLookupConstants
+{
+    int sizeTexels;     // of the lookup texture
+    float sigmaTexels;  // of the Gaussian
+};
+
 #ifdef __cplusplus
 }
 #endif

@@ -27,6 +27,16 @@ struct PlaneConstants {
     int2 extentTexels;
 };
 
+// bspline_fetch.ps
+struct FetchConstants {
+    int2 extentTexels;
+    float2 startTexels;  // edge coordinates of the first pixel's point
+    float2 stepTexels;   // from one pixel to the next
+    int lookupTexels;    // width of the lookup textures
+    int degree;
+    float sigmaTexels;  // of the Gaussian
+};
+
 // dp_sample.ps
 struct DPSampleConstants {
     float widthTexels;  // sigma for STACK
