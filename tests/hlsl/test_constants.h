@@ -37,6 +37,16 @@ struct FetchConstants {
     float sigmaTexels;  // of the Gaussian
 };
 
+// bspline_mip.ps
+struct MipConstants {
+    float2 acrossUv;  // from one pixel to the next
+    float2 downUv;
+    float2 startUv;  // at the upper left corner of the screen
+    int2 extentTexels;
+    int baseLevel;  // of the line of meta texels
+    int level;      // for ONE_LEVEL
+};
+
 // dp_sample.ps
 struct DPSampleConstants {
     float widthTexels;  // sigma for STACK
