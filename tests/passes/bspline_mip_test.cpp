@@ -194,6 +194,8 @@ TEST(BSplineMip, LinearBlendsBothLevelsByTheFraction) {
                     for (uint32_t i = 0; i < kScreen.Texels(); i += 7) {
                         const double taken = drawn.levels[i];
                         worst = std::max(worst, std::abs(taken - level));
+                        ASSERT_GE(taken, 0);
+                        ASSERT_LE(taken, picture.LastLevel());
                         const int finer = static_cast<int>(std::floor(taken));
                         const glm::dvec2 uv = UvAt(constants, i % kScreen.widthTexels, i / kScreen.widthTexels);
                         glm::dvec4 expected = picture.Spline(finer, uv);
