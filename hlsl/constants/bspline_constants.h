@@ -14,6 +14,12 @@ struct BSplinePrefilterConstants
     int2 stepTexels;  // (1, 0) or (0, 1)
 };
 
+// bspline_weights.ps
+struct BSplineWeightsConstants
+{
+    float points;  // of the curve, from one texel to the next
+};
+
 // resize.ps, resize_table.ps
 struct ResizeConstants
 {

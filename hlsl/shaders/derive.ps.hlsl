@@ -34,10 +34,10 @@ float4 main(QuadVertex i) : SV_Target0
 #if WHAT == GRADIENT
     return slope;
 #else
-    // Of the line of equal value through the point; positive where it bends round what is darker.
+    // Of the line of equal value through the point; positive where it bends round what is brighter.
     float4 bend = d.dxx * d.dy * d.dy - 2.0 * d.dxy * d.dx * d.dy + d.dyy * d.dx * d.dx;
     float4 cube = max(slope * slope * slope, 1e-12);
-    return bend / cube;
+    return -bend / cube;
 #endif
 #endif
 }

@@ -1,13 +1,12 @@
 #include "runtime/passes/bspline_prefilter.h"
 
 #include "hlsl/constants/bspline_constants.h"
-#include "passes_shaders.h"
+#include "runtime/passes/quad_shaders.h"
 
 namespace boxcar {
 
 BSplinePrefilter::BSplinePrefilter(Device& device, Extent2D extent)
-    : m_pipeline(device,
-                 {passes_shaders::Find("shaders/quad.vs"), passes_shaders::Find("shaders/bspline_prefilter.ps")}),
+    : m_pipeline(device, QuadShaders("bspline_prefilter.ps")),
       m_alongX(device, {extent, Format::RGBA32F, "coefficients along x"}),
       m_coefficients(device, {extent, Format::RGBA32F, "coefficients"}) {}
 

@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 #include <memory>
 
+#include "samples/cli/bspline_figures.h"
 #include "samples/cli/codes.h"
 #include "samples/cli/device_run.h"
 #include "samples/cli/disparity.h"
@@ -61,6 +62,7 @@ public:
     void LinearLightAndCodes();
     void HdrEnvironment();
     void SceneEffects() { AddEffectSections(m_device, m_folder, m_sceneSize, m_sections); }
+    void ThirdOrder() { AddBSplineSections(m_device, m_folder, m_fruits.picture, m_sections); }
     void Precision() { AddPrecisionSections(m_device, m_folder, m_fruits.picture, m_sections); }
 
     const std::vector<GallerySection>& Sections() const { return m_sections; }
@@ -104,9 +106,7 @@ private:
     // Writes `texels` as an 8-bit PNG and returns its figure.
     Figure Save(const std::string& file, const Texels& texels, const Photograph& like, const std::string& caption,
                 Transfer transfer = Transfer::Srgb) {
-        WritePicture(FromLight(texels, like.picture, transfer, SampleType::Unorm8), (m_folder / file).string(),
-                     FileFormat::Png, SampleType::Unorm8);
-        return {file, caption};
+        return SaveFigure(m_folder, file, FromLight(texels, like.picture, transfer, SampleType::Unorm8), caption);
     }
 
     Device& m_device;
@@ -447,6 +447,7 @@ void MakeGallery(const GalleryOptions& options) {
                                                 &Gallery::LinearLightAndCodes,
                                                 &Gallery::HdrEnvironment,
                                                 &Gallery::SceneEffects,
+                                                &Gallery::ThirdOrder,
                                                 &Gallery::Precision};
     const bool terminal = isatty(STDERR_FILENO);
     for (size_t i = 0; i < std::size(kSections); i++) {

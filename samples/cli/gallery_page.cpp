@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "samples/files/bytes.h"
+
 namespace boxcar {
 namespace {
 
@@ -65,6 +67,19 @@ std::string FigureHtml(const Figure& figure) {
 }
 
 }  // namespace
+
+Figure SaveFigure(const std::filesystem::path& folder, const std::string& file, const Picture& picture,
+                  const std::string& caption) {
+    WritePicture(picture, (folder / file).string(), FileFormat::Png, SampleType::Unorm8);
+    return {file, caption};
+}
+
+Figure SaveFigure(const std::filesystem::path& folder, const std::string& file, const Plot& plot,
+                  const std::string& caption) {
+    const std::string svg = PlotSvg(plot);
+    WriteFileAtomically((folder / file).string(), {reinterpret_cast<const uint8_t*>(svg.data()), svg.size()});
+    return {file, caption};
+}
 
 std::string GalleryPage(const std::vector<GallerySection>& sections, const std::string& madeBy) {
     std::string html = kHead;

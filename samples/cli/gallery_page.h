@@ -1,8 +1,12 @@
 // The gallery's page: one HTML file with its style inside, which loads nothing but the pictures beside it.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
+
+#include "samples/cli/plot.h"
+#include "samples/files/picture.h"
 
 namespace boxcar {
 
@@ -24,6 +28,12 @@ struct GallerySection {
     std::vector<NumberGrid> grids;
     std::vector<Figure> figures;
 };
+
+// Write a figure beside the page: 8-bit PNG, SVG.
+Figure SaveFigure(const std::filesystem::path& folder, const std::string& file, const Picture& picture,
+                  const std::string& caption);
+Figure SaveFigure(const std::filesystem::path& folder, const std::string& file, const Plot& plot,
+                  const std::string& caption);
 
 // `madeBy`: the device, for the foot of the page.
 std::string GalleryPage(const std::vector<GallerySection>& sections, const std::string& madeBy);

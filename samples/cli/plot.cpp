@@ -82,8 +82,9 @@ std::string CurveSvg(const Plot& plot, const Curve& curve, const Axis& x, const 
         }
         const double px = x.Place(point.first), py = y.Place(point.second);
         path += fmt::format("{}{:.1f} {:.1f}", broken ? "M" : "L", px, py);
-        dots +=
-            fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"{}\"/>\n", px, py, kColors[curve.color]);
+        if (curve.dotted)
+            dots += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"{}\"/>\n", px, py,
+                                kColors[curve.color]);
         broken = false;
     }
     return fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\"{}/>\n", path, kColors[curve.color],
@@ -94,7 +95,9 @@ std::string CurveSvg(const Plot& plot, const Curve& curve, const Axis& x, const 
 }  // namespace
 
 std::string PlotSvg(const Plot& plot) {
-    const Axis x{std::log10(plot.xTicks.front()), std::log10(plot.xTicks.back()), kLeft, kRight, true};
+    const double first = plot.xTicks.front(), last = plot.xTicks.back();
+    const Axis x = plot.xLog ? Axis{std::log10(first), std::log10(last), kLeft, kRight, true}
+                             : Axis{first, last, kLeft, kRight, false};
     const Axis y = YAxis(plot);
     std::string svg = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
@@ -108,8 +111,8 @@ std::string PlotSvg(const Plot& plot) {
         svg += Text(x.Place(tick), kBottom + 22, "middle", fmt::format("{:g}", tick));
     }
     const double step = plot.yLog ? 1 : plot.yStep;
-    for (double at = y.low; at <= y.high + 1e-9; at += step) {
-        const double value = plot.yLog ? std::pow(10.0, at) : at;
+    for (double tick = std::round(y.low / step); tick <= y.high / step + 1e-9; tick++) {
+        const double at = tick * step, value = plot.yLog ? std::pow(10.0, at) : at;
         svg += Line(kLeft, y.Place(value), kRight, y.Place(value), "#ddd");
         svg += Text(kLeft - 8, y.Place(value) + 5, "end",
                     plot.yLog ? fmt::format("1e{:g}", at) : fmt::format("{:g}", value));

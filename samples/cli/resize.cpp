@@ -5,8 +5,9 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <optional>
 
-#include "passes_shaders.h"
+#include "runtime/passes/quad_shaders.h"
 #include "samples/cli/batch.h"
 #include "samples/cli/codes.h"
 #include "samples/cli/light.h"
@@ -23,19 +24,27 @@ const std::map<std::string, ResizeFilter> kFilters = {{"nearest", ResizeFilter::
 
 struct ResizeOptions : BatchOptions {
     std::string extent;
-    double scale = 0;
+    std::optional<double> scale;
     std::string filter = "interpolating-bspline";
 };
 
-Extent2D ResultExtent(Extent2D source, const ResizeOptions& options, const Device& device) {
-    if (!options.extent.empty()) return ParseExtent(options.extent);
+ResizeDesc DescFor(Extent2D source, const ResizeOptions& options, const Device& device) {
+    ResizeDesc desc{.source = source, .filter = kFilters.at(options.filter)};
+    if (!options.extent.empty()) {
+        desc.result = ParseExtent(options.extent);
+        desc.stepTexels = float2(source.widthTexels, source.heightTexels) /
+                          float2(desc.result.widthTexels, desc.result.heightTexels);
+        return desc;
+    }
     const uint32_t limit = device.Limits().maxSideTexels;
-    const auto side = [&](uint32_t texels) { return std::round(std::max(1.0, options.scale * texels)); };
+    const auto side = [&](uint32_t texels) { return std::round(std::max(1.0, *options.scale * texels)); };
     const double width = side(source.widthTexels), height = side(source.heightTexels);
     if (width > limit || height > limit)
-        throw Error("--scale {:g} of {} x {} texels: the device takes at most {} a side", options.scale,
+        throw Error("--scale {:g} of {} x {} texels: the device takes at most {} a side", *options.scale,
                     source.widthTexels, source.heightTexels, limit);
-    return {static_cast<uint32_t>(width), static_cast<uint32_t>(height)};
+    desc.result = {static_cast<uint32_t>(width), static_cast<uint32_t>(height)};
+    desc.stepTexels = float2(static_cast<float>(1 / *options.scale));
+    return desc;
 }
 
 Stats Resize(Device& device, const Job& job, const ResizeOptions& options) {
@@ -43,40 +52,35 @@ Stats Resize(Device& device, const Job& job, const ResizeOptions& options) {
     RequireWritable(job.output, job.format, picture.channels);
     const Transfer transfer = TransferFor(picture, options.read);
     const Extent2D source{picture.widthTexels, picture.heightTexels};
-    const Extent2D result = ResultExtent(source, options, device);
-    const ResizeFilter filter = kFilters.at(options.filter);
-    const bool isSmaller = result.widthTexels < source.widthTexels || result.heightTexels < source.heightTexels;
+    const ResizeDesc desc = DescFor(source, options, device);
 
     CommandList commands(device, CommandList::Timing::On);
     std::vector<glm::vec4> texels;
-    std::string precision;
-    if (isSmaller && filter != ResizeFilter::Nearest) {
+    Stats stats{.input = job.input, .output = job.output, .extent = desc.result};
+    const auto bringBack = [&](const Image& result) {
+        commands.SubmitAndWait();
+        texels = Download<glm::vec4>(device, result);
+        stats.deviceBytes = device.MemoryBytes();
+    };
+    if (IsShrunk(desc)) {
         const SATCodes codes = CodesFor(picture, job.input, transfer, SATPrecision::U64, Rounding::Allow);
         const UploadedWords words = UploadCodes(device, picture, transfer, SATPrecision::U64, 0, source.heightTexels);
-        const uint32_t order = filter == ResizeFilter::BSpline ? 3 : 2;
-        Shrink shrink(device, {.source = source, .result = result, .order = order, .codes = codes});
-        const Image& shrunk = shrink.Record(commands, words);
-        commands.SubmitAndWait();
-        texels = Download<glm::vec4>(device, shrunk);
-        precision = SATPrecisionName(SATPrecision::U64);
+        Shrink shrink(device, desc, codes);
+        bringBack(shrink.Record(commands, words));
+        stats.precision = SATPrecisionName(SATPrecision::U64);
+        stats.tableBytes = SummedAreaTableBytes(source, SATPrecision::U64);
     } else {
         const std::vector<glm::vec4> light = ToLight(picture, transfer);
         const Image image = Upload(device, source, std::span(light), "source");
-        Enlarge enlarge(device, source, result, filter);
-        const Image& enlarged = enlarge.Record(commands, image);
-        commands.SubmitAndWait();
-        texels = Download<glm::vec4>(device, enlarged);
+        Enlarge enlarge(device, desc);
+        bringBack(enlarge.Record(commands, image));
     }
+    RequireFiniteSums(texels, job.input);
+    stats.passes = commands.PassTimes();
     const SampleType sampleType = SampleTypeFor(job.format, picture.stored);
-    const Picture like{result.widthTexels, result.heightTexels, picture.channels, picture.stored, {}};
+    const Picture like{desc.result.widthTexels, desc.result.heightTexels, picture.channels, picture.stored, {}};
     WritePicture(FromLight(texels, like, transfer, sampleType), job.output, job.format, sampleType);
-    return {.input = job.input,
-            .output = job.output,
-            .extent = result,
-            .precision = precision,
-            .tableBytes = precision.empty() ? 0 : SummedAreaTableBytes(source, SATPrecision::U64),
-            .passes = commands.PassTimes(),
-            .deviceBytes = device.MemoryBytes()};
+    return stats;
 }
 
 struct DeriveOptions : BatchOptions {
@@ -85,22 +89,27 @@ struct DeriveOptions : BatchOptions {
 
 Stats Derive(Device& device, const Job& job, const DeriveOptions& options) {
     const Picture picture = ReadForDevice(job.input, device, options.read);
-    RequireWritable(job.output, job.format, picture.channels);
+    const uint32_t colours = picture.channels > 2 ? 3 : 1;
+    RequireWritable(job.output, job.format, colours);
     const Transfer transfer = TransferFor(picture, options.read);
     const Extent2D extent{picture.widthTexels, picture.heightTexels};
     const std::vector<glm::vec4> light = ToLight(picture, transfer);
     const Image source = Upload(device, extent, std::span(light), "source");
     std::string word = options.what;
     std::ranges::transform(word, word.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-    const Pipeline pipeline(
-        device, {passes_shaders::Find("shaders/quad.vs"), passes_shaders::Find("shaders/derive.ps.WHAT=" + word)});
+    const Pipeline pipeline(device, QuadShaders("derive.ps.WHAT=" + word));
     const Image result(device, {extent, Format::RGBA32F, "derivative"});
     CommandList commands(device, CommandList::Timing::On);
     commands.Draw({.name = "derive", .pipeline = pipeline, .reads = {{"source", &source}}, .writes = {&result}});
     commands.SubmitAndWait();
-    const std::vector<glm::vec4> texels = Download<glm::vec4>(device, result);
-    WritePicture(FromLight(texels, picture, transfer, SampleType::Float32), job.output, job.format,
-                 SampleType::Float32);
+    std::vector<glm::vec4> texels = Download<glm::vec4>(device, result);
+    RequireFiniteSums(texels, job.input);
+    const SampleType sampleType = SampleTypeFor(job.format, picture.stored);
+    if (sampleType != SampleType::Float32 && options.what != "gradient")
+        for (glm::vec4& texel : texels)
+            texel = 0.5f + 0.5f * texel;
+    const Picture like{picture.widthTexels, picture.heightTexels, colours, picture.stored, {}};
+    WritePicture(FromLight(texels, like, Transfer::Raw, sampleType), job.output, job.format, sampleType);
     return {.input = job.input,
             .output = job.output,
             .extent = extent,
@@ -134,9 +143,9 @@ void AddResizeCommand(CLI::App& app) {
         ->check(CLI::IsMember(kFilters))
         ->type_name("F");
     command.callback([options] {
-        if (options->extent.empty() && options->scale == 0) throw UsageError("resize takes --size WxH or --scale S");
-        if (options->extent.empty() && !(options->scale > 0 && options->scale <= 16384))
-            throw UsageError("--scale {:g}: expected a number above 0 and at most 16384", options->scale);
+        if (options->extent.empty() && !options->scale) throw UsageError("resize takes --size WxH or --scale S");
+        if (options->scale && !(*options->scale > 0 && *options->scale <= 16384))
+            throw UsageError("--scale {:g}: expected a number above 0 and at most 16384", *options->scale);
         RunBatch("resize", *options, PlanJobs(options->files),
                  [&](Device& device, const Job& job) { return Resize(device, job, *options); });
     });
@@ -146,20 +155,20 @@ void AddDeriveCommand(CLI::App& app) {
     const auto options = std::make_shared<DeriveOptions>();
     CLI::App& command = *app.add_subcommand("derive", "Derivatives of a picture under the cubic B-spline");
     command.footer(
-        "Per texel, at texel centres, of each channel: first and second derivatives, the gradient's length, and the\n"
-        "curvature of the line of equal value through the texel, in 1 / texel.\n\n"
-        "Example:\n  boxcar derive photo.png -o edges.exr --what gradient");
+        "Per texel, at texel centres, of each colour: first and second derivatives, the gradient's length, and the\n"
+        "curvature of the line of equal value through the texel, in 1 / texel, positive round what is brighter.\n"
+        "EXR and PFM hold them as they are; in PNG and JPEG 0.5 + value / 2 stands for a value, and the gradient's\n"
+        "length for itself.\n\n"
+        "Examples:\n"
+        "  boxcar derive photo.png -o edges.png --what gradient\n"
+        "  boxcar derive height.exr -o slope.exr --what dx");
     AddBatchOptions(command, *options);
     command.add_option("--what", options->what, "dx, dy, dxx, dxy, dyy, gradient or curvature")
         ->required()
         ->check(CLI::IsMember({"dx", "dy", "dxx", "dxy", "dyy", "gradient", "curvature"}))
         ->type_name("D");
     command.callback([options] {
-        const std::vector<Job> jobs = PlanJobs(options->files);
-        for (const Job& job : jobs)
-            if (job.format != FileFormat::Exr && job.format != FileFormat::Pfm)
-                throw UsageError("-o {}: derivatives are signed, which needs .exr or .pfm", job.output);
-        RunBatch("derive", *options, jobs,
+        RunBatch("derive", *options, PlanJobs(options->files),
                  [&](Device& device, const Job& job) { return Derive(device, job, *options); });
     });
 }

@@ -4,8 +4,7 @@
 #include <glm/common.hpp>
 
 #include "hlsl/boxcar/sat_range.h"
-#include "hlsl/constants/bspline_constants.h"
-#include "passes_shaders.h"
+#include "runtime/passes/quad_shaders.h"
 #include "tools/layout/error.h"
 
 namespace boxcar {
@@ -13,69 +12,74 @@ namespace {
 
 const char* ShaderOf(ResizeFilter filter) {
     switch (filter) {
-        case ResizeFilter::Nearest: return "shaders/resize.ps.FILTER=NEAREST";
-        case ResizeFilter::Linear: return "shaders/resize.ps.FILTER=LINEAR";
-        case ResizeFilter::CatmullRom: return "shaders/resize.ps.FILTER=CATMULL_ROM";
-        default: return "shaders/resize.ps.FILTER=BSPLINE";
+        case ResizeFilter::Nearest: return "resize.ps.FILTER=NEAREST";
+        case ResizeFilter::Linear: return "resize.ps.FILTER=LINEAR";
+        case ResizeFilter::CatmullRom: return "resize.ps.FILTER=CATMULL_ROM";
+        default: return "resize.ps.FILTER=BSPLINE";
     }
 }
 
-ResizeConstants ConstantsFor(Extent2D source, Extent2D result) {
-    ResizeConstants constants{};
-    constants.extentTexels = int2(source.widthTexels, source.heightTexels);
-    constants.stepTexels =
-        float2(source.widthTexels, source.heightTexels) / float2(result.widthTexels, result.heightTexels);
-    return constants;
+uint32_t OrderOf(ResizeFilter filter) {
+    return filter == ResizeFilter::BSpline ? 3 : 2;
 }
 
-ShrinkDesc Checked(const ShrinkDesc& desc) {
-    const float2 size = glm::max(ConstantsFor(desc.source, desc.result).stepTexels, 1.0f);
-    const float mass = SATLargestMass(SATPrecision::U64, desc.codes);
-    if (!SATBoxIsExact(size, static_cast<int>(desc.order), false, mass))
-        throw Error("from {} x {} to {} x {} texels: kernels of order {} fit into 64 bits down to 1 / {}",
+ResizeConstants ConstantsFor(const ResizeDesc& desc, const SATCodes& codes = {}) {
+    return {.extentTexels = int2(desc.source.widthTexels, desc.source.heightTexels),
+            .stepTexels = desc.stepTexels,
+            .order = static_cast<int>(OrderOf(desc.filter)),
+            .codeScale = codes.scale,
+            .isSigned = codes.isSigned};
+}
+
+void RequireFits(const ResizeDesc& desc, const SATCodes& codes) {
+    const uint32_t order = OrderOf(desc.filter);
+    const float mass = SATLargestMass(SATPrecision::U64, codes);
+    if (!SATBoxIsExact(glm::max(desc.stepTexels, 1.0f), static_cast<int>(order), false, mass))
+        throw Error("from {} x {} to {} x {} texels: sums of order {} fit into 64 bits down to 1 / {}",
                     desc.source.widthTexels, desc.source.heightTexels, desc.result.widthTexels,
-                    desc.result.heightTexels, desc.order,
-                    SATLargestWidthTexels(SATPrecision::U64, desc.codes, desc.order, false));
-    return desc;
+                    desc.result.heightTexels, order, SATLargestWidthTexels(SATPrecision::U64, codes, order, false));
 }
 
 }  // namespace
 
-Enlarge::Enlarge(Device& device, Extent2D source, Extent2D result, ResizeFilter filter)
-    : m_source(source),
-      m_pipeline(device, {passes_shaders::Find("shaders/quad.vs"), passes_shaders::Find(ShaderOf(filter))}),
-      m_result(device, {result, Format::RGBA32F, "resized"}) {
-    if (filter == ResizeFilter::InterpolatingBSpline) m_prefilter.emplace(device, source);
+bool IsShrunk(const ResizeDesc& desc) {
+    return desc.filter != ResizeFilter::Nearest && std::max(desc.stepTexels.x, desc.stepTexels.y) > 1;
+}
+
+Enlarge::Enlarge(Device& device, const ResizeDesc& desc)
+    : m_constants(ConstantsFor(desc)),
+      m_pipeline(device, QuadShaders(ShaderOf(desc.filter))),
+      m_result(device, {desc.result, Format::RGBA32F, "resized"}) {
+    BOXCAR_ASSERT(!IsShrunk(desc));
+    if (desc.filter == ResizeFilter::InterpolatingBSpline) m_prefilter.emplace(device, desc.source);
 }
 
 const Image& Enlarge::Record(CommandList& commands, const Image& source) {
     const Image& coefficients = m_prefilter ? m_prefilter->Record(commands, source) : source;
-    const ResizeConstants constants = ConstantsFor(m_source, m_result.Extent());
     commands.Draw({.name = "resize",
                    .pipeline = m_pipeline,
                    .reads = {{"source", &coefficients}},
                    .writes = {&m_result},
-                   .constants = ConstantBytes(constants)});
+                   .constants = ConstantBytes(m_constants)});
     return m_result;
 }
 
-Shrink::Shrink(Device& device, const ShrinkDesc& desc)
-    : m_desc(Checked(desc)),
-      m_table(device, {.extent = desc.source, .precision = SATPrecision::U64, .order = desc.order}),
-      m_pipeline(device, {passes_shaders::Find("shaders/quad.vs"), passes_shaders::Find("shaders/resize_table.ps")}),
-      m_result(device, {desc.result, Format::RGBA32F, "resized"}) {}
+Shrink::Shrink(Device& device, const ResizeDesc& desc, const SATCodes& codes)
+    : m_constants(ConstantsFor(desc, codes)),
+      m_table(device, {.extent = desc.source, .precision = SATPrecision::U64, .order = OrderOf(desc.filter)}),
+      m_pipeline(device, QuadShaders("resize_table.ps")),
+      m_result(device, {desc.result, Format::RGBA32F, "resized"}) {
+    BOXCAR_ASSERT(IsShrunk(desc));
+    RequireFits(desc, codes);
+}
 
 const Image& Shrink::Record(CommandList& commands, TexelWords codes) {
     const TexelWords table = m_table.Record(commands, codes);
-    ResizeConstants constants = ConstantsFor(m_desc.source, m_desc.result);
-    constants.order = static_cast<int>(m_desc.order);
-    constants.codeScale = m_desc.codes.scale;
-    constants.isSigned = m_desc.codes.isSigned;
     commands.Draw({.name = "resize",
                    .pipeline = m_pipeline,
-                   .reads = {{"table", table.low}, {"tableHigh", table.high}},
+                   .reads = TableReads(table),
                    .writes = {&m_result},
-                   .constants = ConstantBytes(constants)});
+                   .constants = ConstantBytes(m_constants)});
     return m_result;
 }
 

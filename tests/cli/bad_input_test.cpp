@@ -109,7 +109,8 @@ TEST_F(BadInput, OutputsThatCannotBe) {
             "-o out.png: 2 inputs need a folder, as in -o out.png/");
     Refused("filter ok.png ./ok.png -o ./ --width 3", 2, "ok.png and ./ok.png would both be written to ./ok.png");
     Refused("gallery -o ok.png/gallery", 1, "ok.png/gallery: cannot make this folder: Not a directory");
-    Refused("gallery -o ok.png/gallery --size 0x60", 2, "--size 0x60: expected WxH, two whole numbers from 1 to 8192");
+    Refused("gallery -o ok.png/gallery --size 0x60", 2,
+            "--size 0x60: expected WxH, two whole numbers from 1 to 8192");
 }
 
 TEST_F(BadInput, NoVulkanDriver) {

@@ -22,7 +22,8 @@ std::string ReadText(const fs::path& path) {
 }
 
 std::string DeviceFlags(const std::string& arguments, const std::string& device) {
-    for (const char* command : {"filter ", "sat ", "dof ", "gallery ", "render ", "sweep ", "inspect ", "resize ", "derive "})
+    for (const char* command :
+         {"filter ", "sat ", "dof ", "gallery ", "render ", "sweep ", "inspect ", "resize ", "derive "})
         if (arguments.starts_with(command)) return fmt::format(" --validation --device '{}'", device);
     return "";
 }

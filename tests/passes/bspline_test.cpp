@@ -9,6 +9,7 @@
 #include "hlsl/constants/bspline_constants.h"
 #include "passes_shaders.h"
 #include "runtime/passes/bspline_prefilter.h"
+#include "runtime/passes/quad_shaders.h"
 #include "samples/effects/resize.h"
 #include "test_support_shaders.h"
 #include "tests/hlsl/test_constants.h"
@@ -19,7 +20,8 @@ namespace boxcar {
 namespace {
 
 constexpr Extent2D kNoiseExtent{256, 256};
-constexpr glm::vec2 kOffsets[] = {{0, 0}, {0.25f, -0.375f}, {-0.5f, 0.5f}, {0.4375f, 0.1f}};
+// So that points are exact in floats.
+constexpr glm::vec2 kOffsets[] = {{0, 0}, {0.25f, -0.375f}, {-0.5f, 0.5f}, {0.4375f, 0.109375f}};
 
 Texels Noise(Extent2D extent, uint32_t seed) {
     Texels texels = RandomCodes(extent, seed);
@@ -66,6 +68,28 @@ double LargestError(const std::string& form, Extent2D extent, KernelX kernelX, K
 
 auto Spline(int order) {
     return [order](double x) { return reference::BSplineDerivative(order, x); };
+}
+
+// And so they add up to what the splines' do: 1, 0 and 0.
+TEST(BSpline, WeightsAreTheBasisAtTheTexels) {
+    constexpr uint32_t kPoints = 256;
+    for (int order = 0; order < 3; order++) {
+        const Pipeline pipeline(TestDevice(), QuadShaders(fmt::format("bspline_weights.ps.ORDER={}", order)));
+        const Image result(TestDevice(), {{kPoints, 1}, Format::RGBA32F, "weights"});
+        const BSplineWeightsConstants constants{kPoints};
+        CommandList commands(TestDevice());
+        commands.Draw(
+            {.name = "weights", .pipeline = pipeline, .writes = {&result}, .constants = ConstantBytes(constants)});
+        commands.SubmitAndWait();
+        const Texels weights = Download(result);
+        for (uint32_t i = 0; i < kPoints; i++) {
+            const double t = (i + 0.5) / kPoints;
+            for (int k = 0; k < 4; k++)
+                ASSERT_NEAR(weights[i][k], reference::BSplineDerivative(order, t + 1 - k), 1.5e-7)
+                    << order << " " << t;
+            ASSERT_NEAR(weights[i].x + weights[i].y + weights[i].z + weights[i].w, order == 0 ? 1 : 0, 2e-7);
+        }
+    }
 }
 
 // For derivatives a jump of the pattern between two texels would count: third derivatives are not asked for.
@@ -126,26 +150,6 @@ TEST(BSpline, DerivativesOfPolynomialsAreExact) {
         "LOAD_DYY", [](double, double) { return glm::dvec4(0, 0, 0, 2); }, 2e-4);
 }
 
-// Coefficients by solving (c[i-1] + 4 c[i] + c[i+1]) / 6 = f[i] on a line that is mirrored at its ends (Thomas'
-// elimination).
-std::vector<double> SolveLine(const std::vector<double>& f) {
-    const size_t n = f.size();
-    std::vector<double> diagonal(n, 4), right(n);
-    diagonal[0] += 1;
-    diagonal[n - 1] += 1;
-    for (size_t i = 0; i < n; i++)
-        right[i] = 6 * f[i];
-    for (size_t i = 1; i < n; i++) {
-        const double factor = 1 / diagonal[i - 1];
-        diagonal[i] -= factor;
-        right[i] -= factor * right[i - 1];
-    }
-    std::vector<double> c(n);
-    for (size_t i = n; i-- > 0;)
-        c[i] = (right[i] - (i + 1 < n ? c[i + 1] : 0)) / diagonal[i];
-    return c;
-}
-
 TEST(BSplinePrefilter, IsTheSolutionOfTheLinesAndTheSplineGoesThroughTheTexels) {
     for (const Extent2D extent : {Extent2D{1, 1}, Extent2D{2, 3}, Extent2D{19, 12}, Extent2D{100, 70}}) {
         const Texels source = Noise(extent, 3);
@@ -154,23 +158,11 @@ TEST(BSplinePrefilter, IsTheSolutionOfTheLinesAndTheSplineGoesThroughTheTexels) 
             RunOnDevice(extent, source, [&](CommandList& commands, const Image& image) -> const Image& {
                 return prefilter.Record(commands, image);
             });
-        const size_t width = extent.widthTexels, height = extent.heightTexels;
-        std::vector<double> expected(extent.Texels());
-        for (size_t y = 0; y < height; y++) {
-            std::vector<double> row;
-            for (size_t x = 0; x < width; x++)
-                row.push_back(source[y * width + x].y);
-            row = SolveLine(row);
-            std::copy(row.begin(), row.end(), expected.begin() + static_cast<std::ptrdiff_t>(y * width));
-        }
-        for (size_t x = 0; x < width; x++) {
-            std::vector<double> column;
-            for (size_t y = 0; y < height; y++)
-                column.push_back(expected[y * width + x]);
-            column = SolveLine(column);
-            for (size_t y = 0; y < height; y++)
-                ASSERT_NEAR(coefficients[y * width + x].y, column[y], 2e-6) << width << " x " << height;
-        }
+        const auto expected = reference::SplineCoefficients(ToDouble(extent, source));
+        for (size_t i = 0; i < source.size(); i++)
+            for (int c = 0; c < 4; c++)
+                ASSERT_NEAR(coefficients[i][c], expected.texels[i][c], 2e-6)
+                    << extent.widthTexels << " x " << extent.heightTexels;
         const Texels spline = Filtered("LOAD", extent, coefficients, {0, 0});
         for (size_t i = 0; i < source.size(); i++)
             for (int c = 0; c < 4; c++)
@@ -187,7 +179,7 @@ TEST(Resize, ReadsTheSourceWhereItSays) {
         {ResizeFilter::BSpline, [](double x) { return reference::BSpline(3, x); }},
         {ResizeFilter::CatmullRom, reference::CatmullRom}};
     for (const auto& [filter, kernel] : filters) {
-        Enlarge enlarge(TestDevice(), kSource, kResult, filter);
+        Enlarge enlarge(TestDevice(), {kSource, kResult, {20 / 53.0f, 14 / 61.0f}, filter});
         const Texels result =
             RunOnDevice(kSource, source, [&](CommandList& commands, const Image& texels) -> const Image& {
                 return enlarge.Record(commands, texels);
@@ -235,17 +227,17 @@ TEST(Resize, SmallerPicturesDoNotAlias) {
     for (const auto& texel : plate.texels)
         light.push_back(glm::vec4(static_cast<float>(texel[0]) / 255));
     const Image image = Upload(kSource, light);
-    Enlarge nearest(TestDevice(), kSource, kResult, ResizeFilter::Nearest);
+    Enlarge nearest(TestDevice(), {kSource, kResult, float2(4), ResizeFilter::Nearest});
     const double aliased =
         contrast([&](CommandList& commands) -> const Image& { return nearest.Record(commands, image); });
     EXPECT_GT(aliased, 0.9) << "the plate shows nothing";
-    for (const auto& [order, bound] : {std::pair(2u, 0.12), std::pair(3u, 0.05)}) {
-        Shrink shrink(TestDevice(),
-                      {.source = kSource, .result = kResult, .order = order, .codes = {255, 255, false}});
+    for (const auto& [filter, bound] :
+         {std::pair(ResizeFilter::Linear, 0.02), std::pair(ResizeFilter::BSpline, 0.006)}) {
+        Shrink shrink(TestDevice(), {kSource, kResult, float2(4), filter}, {255, 255, false});
         const double left =
             contrast([&](CommandList& commands) -> const Image& { return shrink.Record(commands, codes.Words()); });
-        RecordProperty(fmt::format("order_{}", order), fmt::format("{:.4f}", left));
-        EXPECT_LE(left, bound) << order;
+        RecordProperty(fmt::format("filter_{}", static_cast<int>(filter)), fmt::format("{:.4f}", left));
+        EXPECT_LE(left, bound) << static_cast<int>(filter);
     }
 }
 
@@ -254,6 +246,7 @@ TEST(Resize, OffsetsInCppEqualThoseInTheShaders) {
                            OFFSET(ResizeConstants, order), OFFSET(ResizeConstants, codeScale),
                            OFFSET(ResizeConstants, isSigned)};
     EXPECT_EQ(OffsetsIn("shaders/resize_table.ps"), table);
+    EXPECT_EQ(OffsetsIn("shaders/bspline_weights.ps.ORDER=0"), (Offsets{OFFSET(BSplineWeightsConstants, points)}));
     EXPECT_EQ(OffsetsIn("shaders/bspline_prefilter.ps"), (Offsets{OFFSET(BSplinePrefilterConstants, stepTexels)}));
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "tests/reference/box.h"
 
@@ -42,6 +43,45 @@ glm::dvec4 CubicSum(const DoubleImage& image, double x, double y, KernelX kernel
             sum += kernelX(x - (i + 0.5)) * kernelY(y - (j + 0.5)) *
                    image.At(std::clamp(i, 0, image.width - 1), std::clamp(j, 0, image.height - 1));
     return sum;
+}
+
+// The coefficients whose cubic B-spline goes through f, along a line that is mirrored at its ends: solves
+// (c[i - 1] + 4 c[i] + c[i + 1]) / 6 = f[i] by Thomas' elimination.
+inline std::vector<double> SolveLine(const std::vector<double>& f) {
+    const size_t n = f.size();
+    std::vector<double> diagonal(n, 4), right(n);
+    diagonal[0] += 1;
+    diagonal[n - 1] += 1;
+    for (size_t i = 0; i < n; i++)
+        right[i] = 6 * f[i];
+    for (size_t i = 1; i < n; i++) {
+        const double factor = 1 / diagonal[i - 1];
+        diagonal[i] -= factor;
+        right[i] -= factor * right[i - 1];
+    }
+    std::vector<double> c(n);
+    for (size_t i = n; i-- > 0;)
+        c[i] = (right[i] - (i + 1 < n ? c[i + 1] : 0)) / diagonal[i];
+    return c;
+}
+
+// The same for the rows of an image and then its columns.
+inline DoubleImage SplineCoefficients(DoubleImage image) {
+    const auto solve = [&](int start, int stride, int count) {
+        for (int channel = 0; channel < 4; channel++) {
+            std::vector<double> f;
+            for (int i = 0; i < count; i++)
+                f.push_back(image.texels[static_cast<size_t>(start + i * stride)][channel]);
+            f = SolveLine(f);
+            for (int i = 0; i < count; i++)
+                image.texels[static_cast<size_t>(start + i * stride)][channel] = f[static_cast<size_t>(i)];
+        }
+    };
+    for (int y = 0; y < image.height; y++)
+        solve(y * image.width, 1, image.width);
+    for (int x = 0; x < image.width; x++)
+        solve(x, image.width, image.height);
+    return image;
 }
 
 }  // namespace boxcar::reference

@@ -7,7 +7,6 @@
 
 #include "samples/cli/plot.h"
 #include "samples/cli/precision/precision.h"
-#include "samples/files/bytes.h"
 
 namespace boxcar {
 namespace {
@@ -69,17 +68,6 @@ public:
     GallerySection Curves(const Picture& photograph);
 
 private:
-    Figure Save(const std::string& file, const Picture& picture, const std::string& caption) {
-        WritePicture(picture, (m_folder / file).string(), FileFormat::Png, SampleType::Unorm8);
-        return {file, caption};
-    }
-
-    Figure Save(const std::string& file, const Plot& plot, const std::string& caption) {
-        const std::string svg = PlotSvg(plot);
-        WriteFileAtomically((m_folder / file).string(), {reinterpret_cast<const uint8_t*>(svg.data()), svg.size()});
-        return {file, caption};
-    }
-
     // The picture as its table gives it back.
     Picture GivenBack(Meter& meter, const Picture& like, const Case& setup) {
         Picture back = like;
@@ -112,13 +100,14 @@ GallerySection Figures::OldAndOurs(const Picture& photograph) {
         const Case cases[] = {Ours(precision), Old(precision)};
         const char* words[] = {"ours", "old"};
         std::vector<Picture> back = {picture};
-        section.figures.push_back(
-            Save(fmt::format("precision_{}_original.png", name), picture, fmt::format("{}, the original.", what)));
+        section.figures.push_back(SaveFigure(m_folder, fmt::format("precision_{}_original.png", name), picture,
+                                             fmt::format("{}, the original.", what)));
         for (int i = 0; i < 2; i++) {
             back.push_back(GivenBack(meter, picture, cases[i]));
-            section.figures.push_back(Save(fmt::format("precision_{}_{}.png", name, words[i]), back.back(),
-                                           fmt::format("{}, {}: {}.", Name(precision), i == 0 ? "ours" : "old method",
-                                                       SnrText(meter.Measure(cases[i])))));
+            section.figures.push_back(
+                SaveFigure(m_folder, fmt::format("precision_{}_{}.png", name, words[i]), back.back(),
+                           fmt::format("{}, {}: {}.", Name(precision), i == 0 ? "ours" : "old method",
+                                       SnrText(meter.Measure(cases[i])))));
         }
         return back;
     };
@@ -128,9 +117,9 @@ GallerySection Figures::OldAndOurs(const Picture& photograph) {
     const char* words[] = {"original", "ours", "old"};
     for (size_t i = 0; i < back.size(); i++)
         section.figures.push_back(
-            Save(fmt::format("precision_zoom_{}.png", words[i]),
-                 Enlarged(Cut(back[i], kSide - kZoom, kSide - kZoom, kZoom, kZoom), kSide / kZoom),
-                 fmt::format("{} x {} texels of it, {}.", kZoom, kZoom, i == 2 ? "old method" : words[i])));
+            SaveFigure(m_folder, fmt::format("precision_zoom_{}.png", words[i]),
+                       Enlarged(Cut(back[i], kSide - kZoom, kSide - kZoom, kZoom, kZoom), kSide / kZoom),
+                       fmt::format("{} x {} texels of it, {}.", kZoom, kZoom, i == 2 ? "old method" : words[i])));
     return section;
 }
 
@@ -169,7 +158,8 @@ GallerySection Figures::Curves(const Picture& photograph) {
             sizes.curves[2 * i + 1].points.emplace_back(side, meter.Measure(Old(kFloats[i])).snrDb.value_or(kNone));
         }
     }
-    section.figures.push_back(Save("precision_by_size.svg", sizes, "Signal to noise by the side of the picture."));
+    section.figures.push_back(
+        SaveFigure(m_folder, "precision_by_size.svg", sizes, "Signal to noise by the side of the picture."));
 
     Plot widths{
         .title = "RMS error of the mean over a box",
@@ -192,7 +182,8 @@ GallerySection Figures::Curves(const Picture& photograph) {
     add("fp32, ours", Ours(Precision::Fp32), 2, false);
     add("fp32, old", Old(Precision::Fp32), 2, true);
     add("fp32, serial scan", {.taps = 2, .builder = Builder::Lines}, 4, true);
-    section.figures.push_back(Save("precision_by_width.svg", widths, "Error by the width of the box."));
+    section.figures.push_back(
+        SaveFigure(m_folder, "precision_by_width.svg", widths, "Error by the width of the box."));
     return section;
 }
 
