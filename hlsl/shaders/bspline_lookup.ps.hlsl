@@ -1,5 +1,5 @@
 // bspline_lookup.ps: the lookup texture of a kernel: x and y how far off the two fetches lie, z the second one's share.
-#include "boxcar/bspline.hlsli"
+#include "boxcar/bspline_kernels.hlsli"
 #include "boxcar/compat.hlsli"
 #include "constants/bspline_constants.h"
 #include "shaders/quad_io.hlsli"
@@ -7,6 +7,7 @@
 #define VALUE 0
 #define FIRST 1
 #define GAUSS 2
+#define GAUSS_FIRST 3
 
 BOXCAR_CONSTANTS(Constants) { BSplineLookupConstants g; };
 
@@ -18,8 +19,10 @@ float4 main(QuadVertex i) : SV_Target0
     float3 hg = BSplineHG(t);
 #elif KERNEL == FIRST
     float3 hg = BSplineHG1(t);
-#else
+#elif KERNEL == GAUSS
     float3 hg = BSplineHGOf(GaussianWeights(t, g.sigmaTexels), t);
+#else
+    float3 hg = BSplineHGOf(GaussianWeights1(t, g.sigmaTexels), t);
 #endif
     return float4(hg, 1.0);
 }

@@ -7,19 +7,24 @@
 namespace boxcar {
 namespace {
 
+bool IsGaussian(BSplineKernel kernel) {
+    return kernel == BSplineKernel::Gaussian || kernel == BSplineKernel::GaussianFirstDerivative;
+}
+
 const char* ShaderOf(BSplineKernel kernel) {
     switch (kernel) {
         case BSplineKernel::Value: return "bspline_lookup.ps.KERNEL=VALUE";
         case BSplineKernel::FirstDerivative: return "bspline_lookup.ps.KERNEL=FIRST";
-        case BSplineKernel::Gaussian: break;
+        case BSplineKernel::Gaussian: return "bspline_lookup.ps.KERNEL=GAUSS";
+        case BSplineKernel::GaussianFirstDerivative: break;
     }
-    return "bspline_lookup.ps.KERNEL=GAUSS";
+    return "bspline_lookup.ps.KERNEL=GAUSS_FIRST";
 }
 
 const BSplineLookupDesc& Checked(const BSplineLookupDesc& desc) {
     if (desc.sizeTexels < 2)
         throw Error("a lookup texture of {} texels: at least 2, for both ends of a kernel", desc.sizeTexels);
-    if (desc.kernel != BSplineKernel::Gaussian) return desc;
+    if (!IsGaussian(desc.kernel)) return desc;
     if (!(desc.sigmaTexels >= 0.3f && desc.sigmaTexels <= 0.8f))
         throw Error("a Gaussian of sigma {} texels: 0.3 to 0.8 fit into four texels", desc.sigmaTexels);
     if (desc.format == Format::RGBA8)

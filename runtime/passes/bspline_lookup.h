@@ -11,13 +11,13 @@
 
 namespace boxcar {
 
-enum class BSplineKernel { Value, FirstDerivative, Gaussian };
+enum class BSplineKernel { Value, FirstDerivative, Gaussian, GaussianFirstDerivative };
 
 struct BSplineLookupDesc {
     BSplineKernel kernel = BSplineKernel::Value;
     uint32_t sizeTexels = 128;
     Format format = Format::RGBA32F;  // RGBA16F; RGBA8 too for the spline, all of whose offsets and shares are 0 to 1
-    float sigmaTexels = 0.5f;         // of the Gaussian, 0.3 to 0.8
+    float sigmaTexels = 0.5f;         // of a Gaussian, 0.3 to 0.8
 };
 
 // Holds one pipeline and one image. Move-only. Not thread-safe.

@@ -44,6 +44,16 @@ Kernel Gauss(double sigmaTexels) {
     };
 }
 
+Kernel GaussSlope(double sigmaTexels) {
+    return [gauss = Gauss(sigmaTexels)](double x) {
+        // From one side at t = 0 and 1: beyond are four other texels.
+        constexpr double kStep = 1e-5;
+        const double t = x - std::floor(x);
+        const double lo = std::max(t - kStep, 0.0), hi = std::min(t + kStep, 1 - 1e-12);
+        return (gauss(std::floor(x) + hi) - gauss(std::floor(x) + lo)) / (hi - lo);
+    };
+}
+
 Texels Noise() {
     Texels texels = RandomCodes(kExtent, 7);
     for (glm::vec4& texel : texels)
@@ -104,6 +114,7 @@ public:
         const Image* source = nullptr;         // the noise if none is given
         const Image* lookup = nullptr;         // 128 texels of the value, in float32
         BSplineLookup* makesLookup = nullptr;  // instead of one
+        BSplineLookup* makesFirst = nullptr;   // 128 texels of the first derivative, in float32, if not given
     };
 
     Texels Filtered(const std::string& form, const Options& options) {
@@ -118,7 +129,7 @@ public:
                        .pipeline = m_pipelines.at(form),
                        .reads = {{"source", options.source ? options.source : &m_source},
                                  {"hg", lookup},
-                                 {"hg1", &m_first.Record(commands)}},
+                                 {"hg1", &(options.makesFirst ? *options.makesFirst : m_first).Record(commands)}},
                        .writes = {&m_result},
                        .constants = ConstantBytes(options.constants)});
         commands.SubmitAndWait();
@@ -195,27 +206,6 @@ Texels AlongT(const std::string& form, int degree = 3) {
     return values;
 }
 
-TEST(BSplineWeights, AreTheSplineAndItsDerivativesAtTheFourTexels) {
-    for (const int order : {0, 1, 2}) {
-        const Texels weights = AlongT(order == 0 ? "WEIGHTS" : fmt::format("WEIGHTS{}", order));
-        for (int i = 0; i < 256; i++) {
-            const double t = i / 256.0;
-            for (int texel = 0; texel < 4; texel++)
-                ASSERT_NEAR(weights[i][texel], reference::BSplineDerivative(order, t + 1 - texel), 3 * kRounding)
-                    << order << " at " << t;
-        }
-    }
-}
-
-// Of the derivatives to nothing.
-TEST(BSplineWeights, AddUpToOne) {
-    for (const auto& [form, sum] : {std::pair("WEIGHTS", 1.0), {"WEIGHTS1", 0.0}, {"WEIGHTS2", 0.0}})
-        for (const glm::vec4 weights : AlongT(form)) {
-            const glm::dvec4 w(weights);
-            ASSERT_NEAR(w.x + w.y + w.z + w.w, sum, 4 * kRounding) << form;
-        }
-}
-
 TEST(BSplineWeights, OfDegreesZeroAndOneAreNearestAndLinear) {
     for (const int degree : {0, 1, 3}) {
         const Texels weights = AlongT("DEGREE_WEIGHTS", degree);
@@ -281,20 +271,25 @@ TEST(BSplineFetch, OneShaderTakesEveryDegree) {
     }
 }
 
-// By the shader that takes the spline from its lookup texture, too.
+// Of four texels, adding up to 1, and the derivative of their sum.
 TEST(BSplineFetch, AGaussianIsAnotherKernelInTheSameShader) {
     Bench bench;
     for (const float sigmaTexels : {0.4f, 0.5f, 0.8f}) {
         FetchConstants points = Points();
         points.sigmaTexels = sigmaTexels;
-        const double sigma = sigmaTexels;
-        const auto expected = bench.Expected(points, Gauss(sigma), Gauss(sigma));
-        EXPECT_LE(bench.LargestError(fmt::format("gauss_{:.1f}", sigma), "GAUSS", expected, {.constants = points}),
-                  1.5e-5);
+        const std::string sigma = fmt::format("{:.1f}", sigmaTexels);
+        const auto value = bench.Expected(points, Gauss(sigmaTexels), Gauss(sigmaTexels));
+        EXPECT_LE(bench.LargestError("gauss_" + sigma, "GAUSS", value, {.constants = points}), 1.5e-5);
+
         BSplineLookup lookup(TestDevice(), {.kernel = BSplineKernel::Gaussian, .sigmaTexels = sigmaTexels});
-        EXPECT_LE(bench.LargestError(fmt::format("gauss_lookup_{:.1f}", sigma), "LOOKUP", expected,
-                                     {.constants = points, .makesLookup = &lookup}),
-                  6e-5);
+        Bench::Options options{.constants = points, .makesLookup = &lookup};
+        EXPECT_LE(bench.LargestError("gauss_lookup_" + sigma, "LOOKUP", value, options), 6e-5);
+
+        BSplineLookup first(TestDevice(),
+                            {.kernel = BSplineKernel::GaussianFirstDerivative, .sigmaTexels = sigmaTexels});
+        options.makesFirst = &first;
+        const auto slope = bench.Expected(points, GaussSlope(sigmaTexels), Gauss(sigmaTexels));
+        EXPECT_LE(bench.LargestError("gauss_lookup_dx_" + sigma, "LOOKUP_DX", slope, options), 5e-4);
     }
 }
 

@@ -1,6 +1,6 @@
 // A picture under a third-order filter at points a step apart, by fetches, with the kernel from arithmetic or from a lookup
 // texture; and the kernels themselves at t = startTexels.x + stepTexels.x * pixel. FORM says which.
-#include "boxcar/bspline_degree.hlsli"
+#include "boxcar/bspline_kernels.hlsli"
 #include "boxcar/bspline_lookup.hlsli"
 #include "boxcar/compat.hlsli"
 #include "shaders/quad_io.hlsli"
@@ -24,12 +24,9 @@
 #define LOOKUP_REPEAT 15
 #define LOOKUP_NEAREST 16
 #define LISTING_DX 17
-#define WEIGHTS 18
-#define WEIGHTS1 19
-#define WEIGHTS2 20
-#define DEGREE_WEIGHTS 21
-#define HG 22
-#define HG1 23
+#define DEGREE_WEIGHTS 18
+#define HG 19
+#define HG1 20
 
 BOXCAR_CONSTANTS(Constants) { FetchConstants g; };
 Texture2D<float4> source : register(t0);
@@ -90,12 +87,6 @@ float4 main(QuadVertex i) : SV_Target0
     float3 x = BSplineHGLookup(hg1, linearClamp, g.lookupTexels, t.x);
     BSplinePair pair = BSplinePair1D(source, linearClamp, g.extentTexels, edgeTexels, x, 0.0);
     return (pair.first - pair.second) * x.z;
-#elif FORM == WEIGHTS
-    return BSplineWeights(edgeTexels.x);
-#elif FORM == WEIGHTS1
-    return BSplineWeights1(edgeTexels.x);
-#elif FORM == WEIGHTS2
-    return BSplineWeights2(edgeTexels.x);
 #elif FORM == DEGREE_WEIGHTS
     return BSplineWeightsOfDegree(g.degree, edgeTexels.x);
 #elif FORM == HG
