@@ -27,6 +27,13 @@ struct ResizeConstants
     int alongX;
 };
 
+// bspline_lookup.ps
+struct BSplineLookupConstants
+{
+    int sizeTexels;     // of the lookup texture
+    float sigmaTexels;  // of the Gaussian
+};
+
 #ifdef __cplusplus
 }
 #endif

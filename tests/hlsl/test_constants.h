@@ -27,6 +27,26 @@ struct PlaneConstants {
     int2 extentTexels;
 };
 
+// bspline_fetch.ps
+struct FetchConstants {
+    int2 extentTexels;
+    float2 startTexels;  // edge coordinates of the first pixel's point
+    float2 stepTexels;   // from one pixel to the next
+    int lookupTexels;    // width of the lookup textures
+    int degree;
+    float sigmaTexels;  // of the Gaussian
+};
+
+// bspline_mip.ps
+struct MipConstants {
+    float2 acrossUv;  // from one pixel to the next
+    float2 downUv;
+    float2 startUv;  // at the upper left corner of the screen
+    int2 extentTexels;
+    int baseLevel;  // of the line of meta texels
+    int level;      // for ONE_LEVEL
+};
+
 // dp_sample.ps
 struct DPSampleConstants {
     float widthTexels;  // sigma for STACK
