@@ -131,8 +131,8 @@ void AddResizeCommand(CLI::App& app) {
         ->type_name("F");
     command.callback([options] {
         if (options->extent.empty() && !options->scale) throw UsageError("resize takes --size WxH or --scale S");
-        if (options->scale && !(*options->scale > 0 && *options->scale <= 16384))
-            throw UsageError("--scale {:g}: expected a number above 0 and at most 16384", *options->scale);
+        if (options->scale && !(*options->scale >= 0.0001 && *options->scale <= 16384))
+            throw UsageError("--scale {:g}: expected a number from 0.0001 to 16384", *options->scale);
         RunBatch("resize", *options, PlanJobs(options->files),
                  [&](Device& device, const Job& job) { return ResizePicture(device, job, *options); });
     });

@@ -207,8 +207,8 @@ TEST(Resize, RefusesInOneLine) {
         EXPECT_EQ(outcome.err, "boxcar: " + line + "\n");
     };
     refused("resize in.png -o out.png", 2, "resize takes --size WxH or --scale S");
-    refused("resize in.png -o out.png --scale 0", 2, "--scale 0: expected a number above 0 and at most 16384");
-    refused("resize in.png -o out.png --scale nan", 2, "--scale nan: expected a number above 0 and at most 16384");
+    refused("resize in.png -o out.png --scale 0", 2, "--scale 0: expected a number from 0.0001 to 16384");
+    refused("resize in.png -o out.png --scale nan", 2, "--scale nan: expected a number from 0.0001 to 16384");
     refused("resize in.png -o out.png --size 4", 2, "--size 4: expected WxH, two whole numbers from 1 to 8192");
     EXPECT_EQ(folder.Run("resize in.png -o out.png --scale 16000").exitCode, 1);
     EXPECT_EQ(folder.Run("resize in.png -o out.png --scale 2 --size 3x3").exitCode, 2);
