@@ -49,6 +49,9 @@ void CheckTarget(const Pass& pass, const Image& image, Format format) {
     if (target.extent != pass.writes[0]->Extent())
         throw Error("pass '{}' writes '{}' and '{}', which differ in extent", pass.name, pass.writes[0]->Desc().name,
                     target.name);
+    if (target.IsVolume())
+        throw Error("pass '{}' writes '{}', which is a volume: draw into an image and read that", pass.name,
+                    target.name);
     if (target.layers != 1 || target.levels != 1)
         throw Error("pass '{}' writes '{}', which has {} layers and {} levels: draw an image of one and copy it",
                     pass.name, target.name, target.layers, target.levels);
@@ -84,10 +87,29 @@ void Check(const Pass& pass, const Pipeline::Impl& pipeline) {
                     pipeline.name, pipeline.constantsBytes);
 }
 
+TextureDimension DimensionOf(const ImageDesc& image) {
+    return image.IsVolume()    ? TextureDimension::Volume
+           : image.layers == 6 ? TextureDimension::Cube
+                               : TextureDimension::Flat;
+}
+
+const char* NameOf(TextureDimension dimension) {
+    switch (dimension) {
+        case TextureDimension::Flat: return "a 2D image";
+        case TextureDimension::Volume: return "a volume";
+        case TextureDimension::Cube: return "a cube map";
+        default: return "no kind of image that there is";
+    }
+}
+
 const Image& FindRead(const Pass& pass, const Binding& binding, const Pipeline::Impl& pipeline) {
     const auto read = std::ranges::find(pass.reads, binding.name, &Read::name);
     if (read == pass.reads.end())
         throw Error("pass '{}' gives nothing to read as '{}' of {}", pass.name, binding.name, pipeline.name);
+    const ImageDesc& image = read->image->Desc();
+    if (DimensionOf(image) != binding.dimension)
+        throw Error("pass '{}' gives '{}', {}, to read as '{}' of {}, which is {}", pass.name, image.name,
+                    NameOf(DimensionOf(image)), binding.name, pipeline.name, NameOf(binding.dimension));
     return *read->image;
 }
 
@@ -241,6 +263,7 @@ void CommandList::Use(const Image& image, ImageUse use) {
 void CommandList::Copy(const Image& source, const Image& target, uint32_t layer, uint32_t level) {
     Impl& c = *m_impl;
     const ImageDesc &from = source.Desc(), &to = target.Desc();
+    BOXCAR_ASSERT(!from.IsVolume() && !to.IsVolume());
     BOXCAR_ASSERT(from.layers == 1 && from.levels == 1 && from.format == to.format && layer < to.layers &&
                   level < to.levels && from.extent == LevelExtent(to.extent, level) && &source != &target);
     c.Barrier(source, ImageUse::TransferSource);

@@ -232,6 +232,7 @@ void Device::Impl::Finish() {
         physicalDevice.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceMaintenance3Properties>();
     const auto& base = properties.get<vk::PhysicalDeviceProperties2>().properties;
     limits.maxSideTexels = base.limits.maxImageDimension2D;
+    limits.maxVolumeSideTexels = base.limits.maxImageDimension3D;
     limits.maxImageBytes = properties.get<vk::PhysicalDeviceMaintenance3Properties>().maxMemoryAllocationSize;
     memory = physicalDevice.getMemoryProperties();
     if (physicalDevice.getQueueFamilyProperties()[queueFamily].timestampValidBits > 0)

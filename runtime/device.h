@@ -34,8 +34,9 @@ struct DeviceInfo {
 std::vector<DeviceInfo> ListDevices();
 
 struct DeviceLimits {
-    uint32_t maxSideTexels = 0;  // of an image
-    uint64_t maxImageBytes = 0;  // of one image's memory
+    uint32_t maxSideTexels = 0;        // of an image
+    uint32_t maxVolumeSideTexels = 0;  // of a volume
+    uint64_t maxImageBytes = 0;        // of one image's memory
 };
 
 struct DeviceDesc {

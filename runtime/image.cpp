@@ -13,6 +13,10 @@ std::string Size(Extent2D extent) {
     return fmt::format("{} x {}", extent.widthTexels, extent.heightTexels);
 }
 
+std::string Size(const ImageDesc& desc) {
+    return Size(desc.extent) + (desc.IsVolume() ? fmt::format(" x {}", desc.depthTexels) : "");
+}
+
 double MiB(uint64_t bytes) {
     return static_cast<double>(bytes) / (1 << 20);
 }
@@ -20,7 +24,7 @@ double MiB(uint64_t bytes) {
 void RequireFits(const ImageDesc& desc, uint64_t bytes, const DeviceLimits& limits) {
     if (bytes > limits.maxImageBytes)
         throw Error("image '{}' of {} texels ({}) takes {:.0f} MiB: the device gives one image at most {:.0f} MiB",
-                    desc.name, Size(desc.extent), FormatName(desc.format), MiB(bytes), MiB(limits.maxImageBytes));
+                    desc.name, Size(desc), FormatName(desc.format), MiB(bytes), MiB(limits.maxImageBytes));
 }
 
 vk::ImageUsageFlags Usage(const Device::Impl& device, Format format) {
@@ -39,7 +43,7 @@ uint64_t Bytes(const ImageDesc& desc) {
     uint64_t texels = 0;
     for (uint32_t level = 0; level < desc.levels; level++)
         texels += LevelExtent(desc.extent, level).Texels();
-    return texels * desc.layers * BytesPerTexel(desc.format);
+    return texels * desc.layers * std::max(desc.depthTexels, 1u) * BytesPerTexel(desc.format);
 }
 
 }  // namespace
@@ -59,10 +63,11 @@ Image::Image(Device& device, const ImageDesc& desc) : m_impl(new Impl) {
     const auto [width, height] = desc.extent;
     const DeviceLimits& limits = device.Limits();
     if (width == 0 || height == 0)
-        throw Error("image '{}' of {} texels: both sides must be at least 1", desc.name, Size(desc.extent));
-    if (width > limits.maxSideTexels || height > limits.maxSideTexels)
-        throw Error("image '{}' of {} texels: the device takes at most {} a side", desc.name, Size(desc.extent),
-                    limits.maxSideTexels);
+        throw Error("image '{}' of {} texels: both sides must be at least 1", desc.name, Size(desc));
+    const uint32_t maxSide = desc.IsVolume() ? limits.maxVolumeSideTexels : limits.maxSideTexels;
+    if (std::max({width, height, desc.depthTexels}) > maxSide)
+        throw Error("image '{}' of {} texels: the device takes at most {} a side", desc.name, Size(desc), maxSide);
+    BOXCAR_ASSERT(!desc.IsVolume() || (desc.layers == 1 && desc.levels == 1));
     if (desc.layers != 1 && (desc.layers != 6 || width != height))
         throw Error("image '{}' of {} texels with {} layers: 1, or 6 squares of a cube map", desc.name,
                     Size(desc.extent), desc.layers);
@@ -72,9 +77,9 @@ Image::Image(Device& device, const ImageDesc& desc) : m_impl(new Impl) {
     RequireFits(desc, Bytes(desc), limits);
 
     vk::ImageCreateInfo info;
-    info.imageType = vk::ImageType::e2D;
+    info.imageType = desc.IsVolume() ? vk::ImageType::e3D : vk::ImageType::e2D;
     info.format = VulkanFormat(desc.format);
-    info.extent = vk::Extent3D(width, height, 1);
+    info.extent = vk::Extent3D(width, height, std::max(desc.depthTexels, 1u));
     info.mipLevels = desc.levels;
     info.arrayLayers = desc.layers;
     if (desc.layers == 6) info.flags = vk::ImageCreateFlagBits::eCubeCompatible;
@@ -92,14 +97,16 @@ Image::Image(Device& device, const ImageDesc& desc) : m_impl(new Impl) {
         throw Error(
             "image '{}' of {} texels ({}) takes {:.0f} MiB: the device, which holds {:.0f} MiB already, has no "
             "more ({})",
-            desc.name, Size(desc.extent), FormatName(desc.format), MiB(needs.size), MiB(i.device->memoryBytes),
+            desc.name, Size(desc), FormatName(desc.format), MiB(needs.size), MiB(i.device->memoryBytes),
             error.what());
     }
     i.ownImage.bindMemory(*i.memory, 0);
 
     vk::ImageViewCreateInfo viewInfo;
     viewInfo.image = i.image;
-    viewInfo.viewType = desc.layers == 6 ? vk::ImageViewType::eCube : vk::ImageViewType::e2D;
+    viewInfo.viewType = desc.IsVolume()    ? vk::ImageViewType::e3D
+                        : desc.layers == 6 ? vk::ImageViewType::eCube
+                                           : vk::ImageViewType::e2D;
     viewInfo.format = info.format;
     viewInfo.subresourceRange = vk::ImageSubresourceRange(AspectOf(desc.format), 0, desc.levels, 0, desc.layers);
     i.ownView = vk::raii::ImageView(i.device->device, viewInfo);

@@ -1,4 +1,4 @@
-// A 2D image on the device, or a cube map.
+// A 2D image on the device, a cube map, or a volume.
 #pragma once
 
 #include <memory>
@@ -12,9 +12,13 @@ namespace boxcar {
 struct ImageDesc {
     Extent2D extent;
     Format format = Format::RGBA32F;
-    std::string name;     // for debuggers and messages
-    uint32_t layers = 1;  // 6: a cube map, faces +x -x +y -y +z -z; its sides are equal
-    uint32_t levels = 1;  // mip levels, each half as large as the one before (rounded down, at least 1)
+    std::string name;          // for debuggers and messages
+    uint32_t layers = 1;       // 6: a cube map, faces +x -x +y -y +z -z; its sides are equal
+    uint32_t levels = 1;       // mip levels, each half as large as the one before (rounded down, at least 1)
+    uint32_t depthTexels = 0;  // above 0: a volume of as many slices, a Texture3D; it has one layer and one level
+
+    bool IsVolume() const { return depthTexels > 0; }
+    uint64_t Texels() const { return extent.Texels() * (IsVolume() ? depthTexels : 1); }  // of level 0 of a layer
 };
 
 // Levels down to 1 x 1.
@@ -36,8 +40,8 @@ struct WrappedImage {
 };
 
 // Can be sampled, rendered to and copied from and to as far as the device can do so with its format; one with layers
-// or levels can only be sampled and copied to, part by part (CommandList::Copy). Move-only. Remembers its last use in
-// the order of recording: record command lists in the order in which they are submitted.
+// or levels can only be sampled and copied to, part by part (CommandList::Copy), and so can a volume. Move-only.
+// Remembers its last use in the order of recording: record command lists in the order in which they are submitted.
 class Image {
 public:
     // Throws Error: a side is 0 or over the device's limit; the memory is more than the device gives to one image, or

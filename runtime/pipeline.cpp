@@ -54,7 +54,8 @@ public:
             binding.pImmutableSamplers = &static_cast<const vk::Sampler&>(**sampler);
             binding.descriptorCount = 1;
         } else {
-            m_pipeline.bindings.push_back({resource.name, resource.kind, resource.set, resource.binding});
+            m_pipeline.bindings.push_back(
+                {resource.name, resource.kind, resource.set, resource.binding, resource.dimension});
         }
         set.push_back(binding);
     }

@@ -11,24 +11,31 @@ namespace {
 
 constexpr uint64_t kStagingBytes = 64 << 20;
 
-// Calls copy(staging, region, offset of the band in the texels, its bytes) for each band of rows.
+// Calls copy(staging, region, offset of the band in the texels, its bytes) for each band of rows of each slice.
 template <typename Copy>
 void ForEachBand(Device& device, const Image& image, uint64_t texelBytes, Copy copy) {
     const auto [width, height] = image.Extent();
+    const uint32_t depth = std::max(image.Desc().depthTexels, 1u);
     BOXCAR_ASSERT(image.Desc().layers == 1 && image.Desc().levels == 1);
     const uint64_t rowBytes = uint64_t{width} * BytesPerTexel(image.Desc().format);
-    BOXCAR_ASSERT(texelBytes == rowBytes * height);
-    const uint32_t rowsPerBand = static_cast<uint32_t>(std::clamp<uint64_t>(kStagingBytes / rowBytes, 1, height));
+    const uint64_t sliceBytes = rowBytes * height;
+    BOXCAR_ASSERT(texelBytes == sliceBytes * depth);
+    const auto rowsPerBand = static_cast<uint32_t>(std::clamp<uint64_t>(kStagingBytes / rowBytes, 1, height));
+    const auto slicesPerBand = static_cast<uint32_t>(std::clamp<uint64_t>(kStagingBytes / sliceBytes, 1, depth));
     using Usage = vk::BufferUsageFlagBits;
     using Property = vk::MemoryPropertyFlagBits;
-    const Buffer staging(device.impl(), rowsPerBand * rowBytes, Usage::eTransferSrc | Usage::eTransferDst,
-                         Property::eHostVisible | Property::eHostCoherent, "boxcar staging");
-    for (uint32_t row = 0; row < height; row += rowsPerBand) {
-        const uint32_t rows = std::min(rowsPerBand, height - row);
-        const vk::BufferImageCopy region(0, 0, 0, {AspectOf(image.Desc().format), 0, 0, 1},
-                                         {0, static_cast<int32_t>(row), 0}, {width, rows, 1});
-        copy(staging, region, row * rowBytes, rows * rowBytes);
-    }
+    const Buffer staging(device.impl(), slicesPerBand * rowsPerBand * rowBytes,
+                         Usage::eTransferSrc | Usage::eTransferDst, Property::eHostVisible | Property::eHostCoherent,
+                         "boxcar staging");
+    for (uint32_t slice = 0; slice < depth; slice += slicesPerBand)
+        for (uint32_t row = 0; row < height; row += rowsPerBand) {
+            const uint32_t slices = std::min(slicesPerBand, depth - slice);
+            const uint32_t rows = std::min(rowsPerBand, height - row);
+            const vk::BufferImageCopy region(0, 0, 0, {AspectOf(image.Desc().format), 0, 0, 1},
+                                             {0, static_cast<int32_t>(row), static_cast<int32_t>(slice)},
+                                             {width, rows, slices});
+            copy(staging, region, slice * sliceBytes + row * rowBytes, slices * rows * rowBytes);
+        }
 }
 
 }  // namespace

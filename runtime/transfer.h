@@ -8,8 +8,8 @@
 
 namespace boxcar {
 
-// `texels`: rows from the top, tightly packed, exactly width * height * BytesPerTexel(format) bytes. Large images go
-// in bands of rows through a staging buffer of at most 64 MiB.
+// `texels`: rows from the top, of a volume slice by slice, tightly packed, exactly as many bytes as the texels have.
+// Large images go in bands of rows, and volumes in slices, through a staging buffer of at most 64 MiB.
 void WriteTexels(Device& device, const Image& image, std::span<const std::byte> texels);
 void ReadTexels(Device& device, const Image& image, std::span<std::byte> texels);
 

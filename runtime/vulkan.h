@@ -115,6 +115,7 @@ struct Binding {
     ResourceKind kind = ResourceKind::Texture;
     uint32_t set = 0;
     uint32_t binding = 0;
+    TextureDimension dimension = TextureDimension::Flat;
 };
 
 struct Pipeline::Impl {

@@ -19,6 +19,13 @@ struct SampleConstants {
     float2 offsetTexels;  // of the kernel's centre from the texel's
 };
 
+// bspline_3d.ps
+struct VolumeConstants {
+    float3 offsetTexels;  // of the point from the voxel's centre
+    float unused;
+    float3 voxelSides;
+};
+
 // textured_plane.ps
 struct PlaneConstants {
     float2 acrossUv;  // from one pixel to the next

@@ -105,6 +105,15 @@ TEST(CommandList, RefusesPassesThatDoNotFitTheirShadersAndNamesThem) {
         commands.Draw(
             {.name = "p", .pipeline = pipeline, .reads = {{"source", &a}}, .writes = {&b, &b}, .constants = bytes}),
         "pass 'p' writes 2 images, its pipeline 1");
+    const Image volume(TestDevice(), {.extent = {4, 4}, .name = "volume", .depthTexels = 1});
+    EXPECT_ERROR(
+        commands.Draw(
+            {.name = "p", .pipeline = pipeline, .reads = {{"source", &volume}}, .writes = {&b}, .constants = bytes}),
+        "pass 'p' gives 'volume', a volume, to read as 'source' of shaders/subtract.ps, which is a 2D image");
+    EXPECT_ERROR(
+        commands.Draw(
+            {.name = "p", .pipeline = pipeline, .reads = {{"source", &a}}, .writes = {&volume}, .constants = bytes}),
+        "pass 'p' writes 'volume', which is a volume: draw into an image and read that");
     EXPECT_ERROR(commands.Draw({.name = "p", .pipeline = pipeline, .reads = {{"source", &a}}, .writes = {&b}}),
                  "pass 'p' has 0 bytes of constants, shaders/subtract.ps takes 16");
 }

@@ -16,6 +16,16 @@ TEST(Image, RefusesASideOfZeroOrOverTheLimit) {
                  fmt::format("image 'wide' of {} x 1 texels: the device takes at most {} a side", limit + 1, limit));
 }
 
+TEST(Image, RefusesAVolumeOverTheLimitOfItsSides) {
+    const uint32_t limit = TestDevice().Limits().maxVolumeSideTexels;
+    EXPECT_ERROR(Image(TestDevice(),
+                       {.extent = {4, 5}, .format = Format::R32F, .name = "deep", .depthTexels = limit + 1}),
+                 fmt::format("image 'deep' of 4 x 5 x {} texels: the device takes at most {} a side", limit + 1,
+                             limit));
+    EXPECT_ERROR(Image(TestDevice(), {.extent = {4, 0}, .format = Format::R32F, .name = "flat", .depthTexels = 3}),
+                 "image 'flat' of 4 x 0 x 3 texels: both sides must be at least 1");
+}
+
 TEST(Image, RefusesWhatFitsTheSidesButNotTheMemoryAndNamesBothSizes) {
     const DeviceLimits& limits = TestDevice().Limits();
     const uint64_t bytes = uint64_t{limits.maxSideTexels} * limits.maxSideTexels * 16;

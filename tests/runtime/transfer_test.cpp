@@ -36,6 +36,19 @@ INSTANTIATE_TEST_SUITE_P(All, TransferOfFormat,
                                          Format::RGBA32UI, Format::Depth32F),
                          [](const auto& tested) { return std::string(FormatName(tested.param)); });
 
+TEST(Transfer, VolumesGoSliceBySlice) {
+    for (const auto& [extent, depth] : {std::pair(Extent2D{1, 1}, 1u), std::pair(Extent2D{7, 5}, 3u),
+                                        std::pair(Extent2D{2, 3}, 64u), std::pair(Extent2D{512, 512}, 70u)}) {
+        const Image image(TestDevice(),
+                          {.extent = extent, .format = Format::R32F, .name = "volume", .depthTexels = depth});
+        const std::vector<std::byte> written = Pattern(image.Desc().Texels() * 4);
+        WriteTexels(TestDevice(), image, written);
+        std::vector<std::byte> read(written.size());
+        ReadTexels(TestDevice(), image, read);
+        EXPECT_TRUE(read == written) << extent.widthTexels << " x " << extent.heightTexels << " x " << depth;
+    }
+}
+
 // 160 MiB go in three bands of at most 64 MiB, the last one smaller.
 TEST(Transfer, LargeImagesGoInBandsThatJoinWithoutASeam) {
     const Extent2D extent{4096, 2560};

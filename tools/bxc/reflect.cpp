@@ -39,6 +39,17 @@ uint32_t CountOf(const SPIRType& type) {
     return count;
 }
 
+TextureDimension DimensionOf(const SPIRType& type) {
+    if (type.basetype != SPIRType::Image && type.basetype != SPIRType::SampledImage) return TextureDimension::None;
+    if (type.image.arrayed || type.image.ms) return TextureDimension::Other;
+    switch (type.image.dim) {
+        case spv::Dim2D: return TextureDimension::Flat;
+        case spv::Dim3D: return TextureDimension::Volume;
+        case spv::DimCube: return TextureDimension::Cube;
+        default: return TextureDimension::Other;
+    }
+}
+
 LayoutResource MakeResource(const spirv_cross::Compiler& module, const spirv_cross::Resource& resource,
                             ResourceKind kind) {
     const SPIRType& type = module.get_type(resource.type_id);
@@ -53,6 +64,7 @@ LayoutResource MakeResource(const spirv_cross::Compiler& module, const spirv_cro
         result.binding = module.get_decoration(resource.id, spv::DecorationBinding);
     }
     result.count = CountOf(type);
+    result.dimension = DimensionOf(base);
     if (base.basetype == SPIRType::Image && base.image.dim == spv::DimBuffer) result.kind = ResourceKind::TexelBuffer;
     if (isBlock) {
         result.sizeBytes = static_cast<uint32_t>(module.get_declared_struct_size(base));

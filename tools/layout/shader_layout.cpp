@@ -24,6 +24,12 @@ constexpr std::pair<ResourceKind, const char*> kResourceKinds[] = {
     {ResourceKind::CombinedImageSampler, "combinedImageSampler"},
     {ResourceKind::TexelBuffer, "texelBuffer"}};
 
+constexpr std::pair<TextureDimension, const char*> kDimensions[] = {{TextureDimension::None, "none"},
+                                                                    {TextureDimension::Flat, "2D"},
+                                                                    {TextureDimension::Volume, "3D"},
+                                                                    {TextureDimension::Cube, "cube"},
+                                                                    {TextureDimension::Other, "other"}};
+
 template <typename Enum, size_t N>
 const char* NameOf(const std::pair<Enum, const char*> (&names)[N], Enum value) {
     for (const auto& [candidate, name] : names)
@@ -94,10 +100,10 @@ Json ToJson(const LayoutResource& resource) {
     for (const LayoutMember& member : resource.members)
         members.push_back(
             {{"name", member.name}, {"offsetBytes", member.offsetBytes}, {"sizeBytes", member.sizeBytes}});
-    return {{"name", resource.name},        {"kind", NameOf(kResourceKinds, resource.kind)},
-            {"set", resource.set},          {"binding", resource.binding},
-            {"count", resource.count},      {"sizeBytes", resource.sizeBytes},
-            {"members", std::move(members)}};
+    return {{"name", resource.name},         {"kind", NameOf(kResourceKinds, resource.kind)},
+            {"set", resource.set},           {"binding", resource.binding},
+            {"count", resource.count},       {"sizeBytes", resource.sizeBytes},
+            {"members", std::move(members)}, {"dimension", NameOf(kDimensions, resource.dimension)}};
 }
 
 LayoutResource ResourceFrom(const Field& field) {
@@ -108,6 +114,7 @@ LayoutResource ResourceFrom(const Field& field) {
     resource.binding = field["binding"].Number();
     resource.count = field["count"].Number();
     resource.sizeBytes = field["sizeBytes"].Number();
+    resource.dimension = field["dimension"].OneOf(kDimensions);
     for (const Field& member : field["members"].Items())
         resource.members.push_back(
             {member["name"].Text(), member["offsetBytes"].Number(), member["sizeBytes"].Number()});

@@ -26,6 +26,8 @@ enum class ResourceKind {
     TexelBuffer,           // Buffer, RWBuffer
 };
 
+enum class TextureDimension { None, Flat, Volume, Cube, Other };  // Flat: Texture2D; Volume: Texture3D
+
 // One variable of a constant block. Nested structs are flattened: "light.colour", "weights".
 struct LayoutMember {
     std::string name;
@@ -40,9 +42,10 @@ struct LayoutResource {
     ResourceKind kind = ResourceKind::ConstantBuffer;
     uint32_t set = 0;
     uint32_t binding = 0;
-    uint32_t count = 1;                 // array length; 0 for an array without a length
-    uint32_t sizeBytes = 0;             // of a constant block, else 0
-    std::vector<LayoutMember> members;  // of a constant block, in the order of their offsets
+    uint32_t count = 1;                                   // array length; 0 for an array without a length
+    uint32_t sizeBytes = 0;                               // of a constant block, else 0
+    std::vector<LayoutMember> members;                    // of a constant block, in the order of their offsets
+    TextureDimension dimension = TextureDimension::None;  // of a texture, sampled or written
 
     bool operator==(const LayoutResource&) const = default;
 };
