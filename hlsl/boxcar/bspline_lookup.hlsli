@@ -1,9 +1,10 @@
 // bspline_lookup.hlsli: third-order filters with the kernel in a lookup texture, as the chapter has it.
 //
-//   BSplineHGLookup        what the texture holds at t: instead of BSplineHG(t)
-//   BSplineSampleLookup1D  2 linear fetches and 1 of the lookup texture
-//   BSplineSampleLookup2D  4 and 2
-//   BSplineSlopeLookup2D   first derivatives of a picture, 8 and 4
+//   BSplineHGLookup          what the texture holds at t: instead of BSplineHG(t)
+//   BSplineSampleLookup1D    2 linear fetches and 1 of the lookup texture
+//   BSplineSampleLookup2D    4 and 2
+//   BSplineGradientLookup2D  first derivatives of a picture, 8 and 4
+//   BSplineSampleLookup3D    8 and 3
 //
 // runtime/passes/bspline_lookup.h makes the textures: one of the value, one of the first derivative, one of a Gaussian. The
 // functions know no kernel. docs/third-order.md has what sizes and formats cost; today arithmetic is as fast and exact.
@@ -12,8 +13,8 @@
 #ifndef BOXCAR_BSPLINE_LOOKUP_HLSLI
 #define BOXCAR_BSPLINE_LOOKUP_HLSLI
 
-#include "boxcar/bspline_fetch.hlsli"
 #include "boxcar/bspline_gradient.hlsli"
+#include "boxcar/bspline_volume.hlsli"
 
 // BSplineHGLookup: offsets and share of a kernel's two fetches.
 //
@@ -40,8 +41,9 @@ float3 BSplineHGLookup(Texture2D<float4> hg, SamplerState linearClamp, int sizeT
 //
 // Sigg 2005, listing 20-1
 float4 BSplineSampleLookup1D(Texture2D<float4> source, Texture2D<float4> hg, SamplerState linearClamp, int2 extentTexels,
-                             int sizeTexels, float2 edgeTexels)
+                             int sizeTexels, float2 uv)
 {
+    float2 edgeTexels = TexelUvToEdge(uv, extentTexels);
     float3 x = BSplineHGLookup(hg, linearClamp, sizeTexels, BSplinePointOf(edgeTexels).t.x);
     return BSplineFetch1D(source, linearClamp, extentTexels, edgeTexels, x, 0.0);
 }
@@ -52,15 +54,16 @@ float4 BSplineSampleLookup1D(Texture2D<float4> source, Texture2D<float4> hg, Sam
 //
 // Sigg 2005, listing 20-2
 float4 BSplineSampleLookup2D(Texture2D<float4> source, Texture2D<float4> hg, SamplerState linearClamp, int2 extentTexels,
-                             int sizeTexels, float2 edgeTexels)
+                             int sizeTexels, float2 uv)
 {
+    float2 edgeTexels = TexelUvToEdge(uv, extentTexels);
     float2 t = BSplinePointOf(edgeTexels).t;
     float3 x = BSplineHGLookup(hg, linearClamp, sizeTexels, t.x);
     float3 y = BSplineHGLookup(hg, linearClamp, sizeTexels, t.y);
     return BSplineFetch2D(source, linearClamp, extentTexels, edgeTexels, x, y, 0.0);
 }
 
-// BSplineSlopeLookup2D: the first derivatives.
+// BSplineGradientLookup2D: the first derivatives.
 //
 //   hg, hg1  lookup textures of the value and of the first derivative, of one size
 //   dx, dy   per texel
@@ -68,14 +71,32 @@ float4 BSplineSampleLookup2D(Texture2D<float4> source, Texture2D<float4> hg, Sam
 // Cost: 8 linear fetches and 4 of the lookup textures.
 //
 // Sigg 2005, sect. 20.4
-void BSplineSlopeLookup2D(Texture2D<float4> source, Texture2D<float4> hg, Texture2D<float4> hg1, SamplerState linearClamp,
-                          int2 extentTexels, int sizeTexels, float2 edgeTexels, out float4 dx, out float4 dy)
+void BSplineGradientLookup2D(Texture2D<float4> source, Texture2D<float4> hg, Texture2D<float4> hg1, SamplerState linearClamp,
+                          int2 extentTexels, int sizeTexels, float2 uv, out float4 dx, out float4 dy)
 {
+    float2 edgeTexels = TexelUvToEdge(uv, extentTexels);
     float2 t = BSplinePointOf(edgeTexels).t;
     float3 x = BSplineHGLookup(hg, linearClamp, sizeTexels, t.x), y = BSplineHGLookup(hg, linearClamp, sizeTexels, t.y);
     float3 x1 = BSplineHGLookup(hg1, linearClamp, sizeTexels, t.x), y1 = BSplineHGLookup(hg1, linearClamp, sizeTexels, t.y);
-    dx = BSplineSlope2D(source, linearClamp, extentTexels, edgeTexels, x1, y, true);
-    dy = BSplineSlope2D(source, linearClamp, extentTexels, edgeTexels, x, y1, false);
+    BSplineSlope2D(source, linearClamp, extentTexels, edgeTexels, x, y, x1, y1, dx, dy);
+}
+
+// BSplineSampleLookup3D: a kernel along the three axes of a volume.
+//
+//   uvw  [0, 1] across the volume
+//
+// Cost: 8 linear fetches and 3 of hg.
+//
+// Sigg 2005, sect. 20.2
+float BSplineSampleLookup3D(Texture3D<float> source, Texture2D<float4> hg, SamplerState linearClamp, int3 extentTexels,
+                            int sizeTexels, float3 uvw)
+{
+    float3 edgeTexels = uvw * float3(extentTexels);
+    float3 t = frac(edgeTexels - 0.5);
+    return BSplineFetch3D(source, linearClamp, extentTexels, edgeTexels,
+                          BSplineFetchesOf(BSplineHGLookup(hg, linearClamp, sizeTexels, t.x)),
+                          BSplineFetchesOf(BSplineHGLookup(hg, linearClamp, sizeTexels, t.y)),
+                          BSplineFetchesOf(BSplineHGLookup(hg, linearClamp, sizeTexels, t.z)));
 }
 
 #endif

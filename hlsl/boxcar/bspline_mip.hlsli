@@ -18,7 +18,7 @@
 #ifndef BOXCAR_BSPLINE_MIP_HLSLI
 #define BOXCAR_BSPLINE_MIP_HLSLI
 
-#include "boxcar/bspline_fetch.hlsli"
+#include "boxcar/bspline_sample.hlsli"
 
 // BSplineLevelExtent: width and height of a level: halved, rounded down, at least 1.
 int2 BSplineLevelExtent(int2 extentTexels, int level)

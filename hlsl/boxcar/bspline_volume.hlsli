@@ -26,17 +26,16 @@ struct BSplineDerivatives3D
 
 // BSplineFetchesOf: the two fetches of an axis and the weight of each.
 //
+//   hg       the kernel at the point: BSplineHG, BSplineHGOf, BSplineHGLookup
 //   returns  .x: how far before the point the first lies, .y: how far behind it the second, .z and .w: their weights
-float4 BSplineFetchesOf(float t)
+float4 BSplineFetchesOf(float3 hg)
 {
-    float3 hg = BSplineHG(t);
     return float4(hg.xy, 1.0 - hg.z, hg.z);
 }
 
-// BSplineFetches1Of: the same for the first derivative along the axis.
-float4 BSplineFetches1Of(float t)
+// BSplineFetches1Of: the same for a derivative's kernel, such as BSplineHG1.
+float4 BSplineFetches1Of(float3 hg)
 {
-    float3 hg = BSplineHG1(t);
     return float4(hg.xy, -hg.z, hg.z);
 }
 
@@ -76,8 +75,9 @@ float BSplineSample3D(Texture3D<float> source, SamplerState linearClamp, int3 ex
 {
     float3 edgeTexels = uvw * float3(extentTexels);
     float3 t = frac(edgeTexels - 0.5);
-    return BSplineFetch3D(source, linearClamp, extentTexels, edgeTexels, BSplineFetchesOf(t.x), BSplineFetchesOf(t.y),
-                          BSplineFetchesOf(t.z));
+    return BSplineFetch3D(source, linearClamp, extentTexels, edgeTexels, BSplineFetchesOf(BSplineHG(t.x)),
+                          BSplineFetchesOf(BSplineHG(t.y)),
+                          BSplineFetchesOf(BSplineHG(t.z)));
 }
 
 // BSplineGradient3D: the first derivatives, per voxel. Each is derived along one axis and plain along the others, so that no
@@ -91,10 +91,10 @@ float3 BSplineGradient3D(Texture3D<float> source, SamplerState linearClamp, int3
 {
     float3 edgeTexels = uvw * float3(extentTexels);
     float3 t = frac(edgeTexels - 0.5);
-    float4 x = BSplineFetchesOf(t.x), y = BSplineFetchesOf(t.y), z = BSplineFetchesOf(t.z);
-    return float3(BSplineFetch3D(source, linearClamp, extentTexels, edgeTexels, BSplineFetches1Of(t.x), y, z),
-                  BSplineFetch3D(source, linearClamp, extentTexels, edgeTexels, x, BSplineFetches1Of(t.y), z),
-                  BSplineFetch3D(source, linearClamp, extentTexels, edgeTexels, x, y, BSplineFetches1Of(t.z)));
+    float4 x = BSplineFetchesOf(BSplineHG(t.x)), y = BSplineFetchesOf(BSplineHG(t.y)), z = BSplineFetchesOf(BSplineHG(t.z));
+    return float3(BSplineFetch3D(source, linearClamp, extentTexels, edgeTexels, BSplineFetches1Of(BSplineHG1(t.x)), y, z),
+                  BSplineFetch3D(source, linearClamp, extentTexels, edgeTexels, x, BSplineFetches1Of(BSplineHG1(t.y)), z),
+                  BSplineFetch3D(source, linearClamp, extentTexels, edgeTexels, x, y, BSplineFetches1Of(BSplineHG1(t.z))));
 }
 
 // BSplineLoad3D: the spline with weights of floats, for formats that samplers filter with 8 bits. The voxels of the sides go

@@ -15,6 +15,7 @@
 #include "tests/hlsl/test_constants.h"
 #include "tests/support/device_image.h"
 #include "tests/support/offsets.h"
+#include "tests/support/spirv_fetches.h"
 
 namespace boxcar {
 namespace {
@@ -106,6 +107,17 @@ TEST(BSpline, FewFetchesAreNearTheSpline) {
     EXPECT_LE(LargestError("SAMPLE", kNoiseExtent, Spline(0), Spline(0)), 1e-5);
     EXPECT_LE(LargestError("SAMPLE_DX", kNoiseExtent, Spline(1), Spline(0)), 1.2e-5);
     EXPECT_LE(LargestError("SAMPLE_DY", kNoiseExtent, Spline(0), Spline(1)), 1.2e-5);
+}
+
+TEST(BSpline, FewFetchesAreFew) {
+    const auto fetches = [](const std::string& form) {
+        return FetchesIn(test_support_shaders::Find("shaders/bspline_2d.ps.FORM=" + form).spirv).at("source");
+    };
+    EXPECT_EQ(fetches("SAMPLE"), 4);
+    EXPECT_EQ(fetches("SAMPLE_DX"), 4);
+    EXPECT_EQ(fetches("LOAD"), 16);
+    EXPECT_EQ(fetches("CATMULL_SAMPLE"), 9);
+    EXPECT_EQ(fetches("CATMULL_LOAD"), 16);
 }
 
 TEST(BSpline, CatmullRomIsKeysCubic) {

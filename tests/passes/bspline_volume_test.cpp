@@ -6,14 +6,17 @@
 
 #include <cmath>
 #include <cstring>
+#include <map>
 
 #include "passes_shaders.h"
+#include "runtime/passes/bspline_lookup.h"
 #include "test_support_shaders.h"
 #include "tests/hlsl/test_constants.h"
 #include "tests/reference/bspline.h"
 #include "tests/reference/marschner_lobb.h"
 #include "tests/support/device_image.h"
 #include "tests/support/offsets.h"
+#include "tests/support/spirv_fetches.h"
 
 namespace boxcar {
 namespace {
@@ -54,10 +57,13 @@ Texels Filtered(const std::string& form, const TestVolume& volume, glm::vec3 off
     const Extent2D slices{volume.extent.widthTexels, volume.extent.heightTexels * volume.depth};
     const Image result(TestDevice(), {slices, Format::RGBA32F, form});
     const VolumeConstants constants{offsetTexels, 0, voxelSides};
+    BSplineLookup lookup(TestDevice(), {.sizeTexels = 128});
     CommandList commands(TestDevice());
+    std::vector<Read> reads = {{"source", &source}};
+    if (form == "LOOKUP") reads.push_back({"hg", &lookup.Record(commands)});
     commands.Draw({.name = form,
                    .pipeline = pipeline,
-                   .reads = {{"source", &source}},
+                   .reads = std::move(reads),
                    .writes = {&result},
                    .constants = ConstantBytes(constants)});
     commands.SubmitAndWait();
@@ -102,6 +108,7 @@ TEST(BSplineVolume, EightFetchesAreNearTheSpline) {
     EXPECT_LE(LargestError("GRADIENT", noise, 0, {1, 0, 0}), 4e-6);
     EXPECT_LE(LargestError("GRADIENT", noise, 1, {0, 1, 0}), 4e-6);
     EXPECT_LE(LargestError("GRADIENT", noise, 2, {0, 0, 1}), 4e-6);
+    EXPECT_LE(LargestError("LOOKUP", noise, 0, {0, 0, 0}), 3e-5);
 }
 
 TEST(BSplineVolume, HoldsForVolumesOfEveryExtent) {
@@ -114,21 +121,16 @@ TEST(BSplineVolume, HoldsForVolumesOfEveryExtent) {
     }
 }
 
-// Instructions of the SPIR-V that read an image.
-uint32_t FetchesIn(const std::string& form) {
-    constexpr uint32_t kFirst = 87, kLast = 98;  // OpImageSampleImplicitLod .. OpImageRead
-    const auto words = test_support_shaders::Find("shaders/bspline_3d.ps.FORM=" + form).spirv;
-    uint32_t fetches = 0;
-    for (size_t i = 5; i < words.size(); i += words[i] >> 16) {
-        const uint32_t opcode = words[i] & 0xffff;
-        fetches += opcode >= kFirst && opcode <= kLast;
-    }
-    return fetches;
-}
-
-TEST(BSplineVolume, TakesEightFetchesAValue) {
-    EXPECT_EQ(FetchesIn("SAMPLE"), 8u);
-    EXPECT_EQ(FetchesIn("GRADIENT"), 24u);
+TEST(BSplineVolume, TakesEightFetchesAValueInsteadOf64) {
+    const auto fetches = [](const std::string& form) {
+        return FetchesIn(test_support_shaders::Find("shaders/bspline_3d.ps.FORM=" + form).spirv);
+    };
+    using Counts = std::map<std::string, int>;
+    EXPECT_EQ(fetches("SAMPLE"), (Counts{{"source", 8}}));
+    EXPECT_EQ(fetches("LOOKUP"), (Counts{{"source", 8}, {"hg", 3}}));
+    EXPECT_EQ(fetches("GRADIENT"), (Counts{{"source", 24}}));
+    EXPECT_EQ(fetches("LOAD"), (Counts{{"source", 64}}));
+    EXPECT_EQ(fetches("LOAD_MIXED"), (Counts{{"source", 64}}));
 }
 
 // Curvatures of f = const for a volume sampled from f at voxels whose middle is the origin; `margin` voxels of the

@@ -1,6 +1,6 @@
 // A volume under the cubic B-spline, at a point off each voxel's centre; slices lie one below the other. FORM says which
 // function.
-#include "boxcar/bspline_volume.hlsli"
+#include "boxcar/bspline_lookup.hlsli"
 #include "boxcar/compat.hlsli"
 #include "shaders/quad_io.hlsli"
 #include "test_constants.h"
@@ -12,9 +12,11 @@
 #define LOAD_PURE 4
 #define LOAD_MIXED 5
 #define CURVATURE 6
+#define LOOKUP 7
 
 BOXCAR_CONSTANTS(Constants) { VolumeConstants g; };
 Texture3D<float> source : register(t0);
+Texture2D<float4> hg : register(t1);
 SamplerState linearClamp : register(s0);
 
 float4 main(QuadVertex i) : SV_Target0
@@ -28,6 +30,10 @@ float4 main(QuadVertex i) : SV_Target0
     return float4(BSplineSample3D(source, linearClamp, extentTexels, uvw), 0.0, 0.0, 1.0);
 #elif FORM == LOAD
     return float4(BSplineLoad3D(source, extentTexels, edgeTexels), 0.0, 0.0, 1.0);
+#elif FORM == LOOKUP
+    int2 lookupTexels;
+    hg.GetDimensions(lookupTexels.x, lookupTexels.y);
+    return float4(BSplineSampleLookup3D(source, hg, linearClamp, extentTexels, lookupTexels.x, uvw), 0.0, 0.0, 1.0);
 #elif FORM == GRADIENT
     return float4(BSplineGradient3D(source, linearClamp, extentTexels, uvw), 1.0);
 #else

@@ -39,18 +39,19 @@ SamplerState nearestClamp : register(s2);
 float4 main(QuadVertex i) : SV_Target0
 {
     float2 edgeTexels = g.startTexels + g.stepTexels * (i.position.xy - 0.5);
+    float2 uv = TexelEdgeToUv(edgeTexels, g.extentTexels);
     float2 t = BSplinePointOf(edgeTexels).t;
     float4 dx = (float4)0, dy = (float4)0, dxx = (float4)0, dxy = (float4)0, dyy = (float4)0;
 #if FORM == ARITHMETIC
     return BSplineFetch2D(source, linearClamp, g.extentTexels, edgeTexels, BSplineHG(t.x), BSplineHG(t.y), 0.0);
 #elif FORM == LINE
-    return BSplineSample1D(source, linearClamp, g.extentTexels, edgeTexels);
+    return BSplineSample1D(source, linearClamp, g.extentTexels, uv);
 #elif FORM == LINE_DX
-    return BSplineFirst1D(source, linearClamp, g.extentTexels, edgeTexels);
+    return BSplineFirst1D(source, linearClamp, g.extentTexels, uv);
 #elif FORM == LINE_DXX
-    return BSplineSecond1D(source, linearClamp, g.extentTexels, edgeTexels);
+    return BSplineSecond1D(source, linearClamp, g.extentTexels, uv);
 #elif FORM == DXX || FORM == DXY || FORM == DYY
-    BSplineSecond2D(source, linearClamp, g.extentTexels, edgeTexels, dxx, dxy, dyy);
+    BSplineHessian2D(source, linearClamp, g.extentTexels, uv, dxx, dxy, dyy);
     return FORM == DXX ? dxx : FORM == DXY ? dxy : dyy;
 #elif FORM == DEGREE
     return BSplineFetch2D(source, linearClamp, g.extentTexels, edgeTexels, BSplineHGOfDegree(g.degree, t.x),
@@ -62,11 +63,11 @@ float4 main(QuadVertex i) : SV_Target0
 #elif FORM == LOAD
     return BSplineLoad2D(source, g.extentTexels, edgeTexels);
 #elif FORM == LOOKUP
-    return BSplineSampleLookup2D(source, hg, linearClamp, g.extentTexels, g.lookupTexels, edgeTexels);
+    return BSplineSampleLookup2D(source, hg, linearClamp, g.extentTexels, g.lookupTexels, uv);
 #elif FORM == LOOKUP_LINE
-    return BSplineSampleLookup1D(source, hg, linearClamp, g.extentTexels, g.lookupTexels, edgeTexels);
+    return BSplineSampleLookup1D(source, hg, linearClamp, g.extentTexels, g.lookupTexels, uv);
 #elif FORM == LOOKUP_DX || FORM == LOOKUP_DY
-    BSplineSlopeLookup2D(source, hg, hg1, linearClamp, g.extentTexels, g.lookupTexels, edgeTexels, dx, dy);
+    BSplineGradientLookup2D(source, hg, hg1, linearClamp, g.extentTexels, g.lookupTexels, uv, dx, dy);
     return FORM == LOOKUP_DX ? dx : dy;
 #elif FORM == LOOKUP_PLAIN
     // Texel centres at (j + 0.5) / size: the ends are flat over half a texel.
@@ -85,8 +86,7 @@ float4 main(QuadVertex i) : SV_Target0
 #elif FORM == LISTING_DX
     // Listing 20-3 with the second fetch's share, which is what .z is in listing 20-1.
     float3 x = BSplineHGLookup(hg1, linearClamp, g.lookupTexels, t.x);
-    BSplinePair pair = BSplinePair1D(source, linearClamp, g.extentTexels, edgeTexels, x, 0.0);
-    return (pair.first - pair.second) * x.z;
+    return -BSplineSlope1D(source, linearClamp, g.extentTexels, edgeTexels, x);
 #elif FORM == DEGREE_WEIGHTS
     return BSplineWeightsOfDegree(g.degree, edgeTexels.x);
 #elif FORM == HG
