@@ -27,7 +27,7 @@
 // The chapter repeats the texture, so that no fraction has to be taken; but the offsets jump from t = 1 to t = 0, and the
 // linear filter blurs the jump: errors of 0.2 (BSplineLookup.ARepeatedTextureBlursTheJump).
 //
-// Error: float32, 128 texels: 1.6e-5 of the result's range (BSplineLookup.SizesAndFormats).
+// Error: float32, 128 texels: 1.4e-5 of the result's range (BSplineLookup.SizesAndFormats).
 // Cost:  1 fetch.
 float3 BSplineHGLookup(Texture2D<float4> hg, SamplerState linearClamp, int sizeTexels, float t)
 {

@@ -1,4 +1,4 @@
-// A striped ellipsoid and receding planes, their texture filtered in one of seven ways.
+// A striped ellipsoid and receding planes, their texture filtered in one of eight ways.
 //
 //   pattern  ->  [mip levels | table]  ->  scene, a pixel at a time
 //   reference: 64 x (pattern  ->  scene, 2 x 2 samples a pixel)  ->  their mean
@@ -25,7 +25,7 @@ constexpr int kDrawsAlongPixel = 8;  // of the reference, each of two samples on
 constexpr float kPlaneLength = 80;
 constexpr float kPlaneRepeats = 2.5f;  // to one of the ellipsoid's
 
-enum Filter { Nearest, Bilinear, Mip, MipFiltered, Anisotropic, Table, Reference };
+enum Filter { Nearest, Bilinear, Mip, MipFiltered, MipBSpline, Anisotropic, Table, Reference };
 
 // A sphere that is longer along its axis.
 MeshData Ellipsoid() {
@@ -69,6 +69,7 @@ public:
           m_drawPattern(device, QuadShaders("texture_pattern.ps")),
           m_nearest(device, SceneShaders("texture_sampled.ps.SAMPLER=nearestRepeat")),
           m_linear(device, SceneShaders("texture_sampled.ps.SAMPLER=linearRepeat")),
+          m_bspline(device, SceneShaders("texture_bspline.ps")),
           m_anisotropic(device, SceneShaders("texture_sampled.ps.SAMPLER=anisotropicRepeat")),
           m_fromTable(device, SceneShaders("texture_table.ps")),
           m_pattern(device, {kTexture, Format::RGBA32F, "pattern"}),
@@ -94,6 +95,8 @@ private:
             case MipFiltered:
                 return DrawPicture(commands, frame, m_linear,
                                    {"pattern", &m_filteredMips.Record(commands, m_pattern)});
+            case MipBSpline:
+                return DrawPicture(commands, frame, m_bspline, {"pattern", &m_mips.Record(commands, m_pattern)});
             case Anisotropic:
                 return DrawPicture(commands, frame, m_anisotropic, {"pattern", &m_mips.Record(commands, m_pattern)});
             case Table: {
@@ -174,7 +177,7 @@ private:
 
     Device& m_device;
     Mesh m_ellipsoid, m_floor, m_ceiling;
-    Pipeline m_drawPattern, m_nearest, m_linear, m_anisotropic, m_fromTable;
+    Pipeline m_drawPattern, m_nearest, m_linear, m_bspline, m_anisotropic, m_fromTable;
     Image m_pattern;
     MipChain m_mips, m_filteredMips;
     ExactTable m_table;
@@ -185,28 +188,30 @@ private:
 }  // namespace
 
 EffectInfo TextureFilteringInfo() {
-    return {.name = "texture-filtering",
-            .what = "A striped ellipsoid and receding planes, textured through a table and in six other ways",
-            .paper = "Crow 1984, sect. 2 and 4, Figs 3 to 7",
-            .lookFor = "the table blurs along the direction in which the texture is compressed, a mip map in both",
-            .parameters =
-                {{.name = "scene", .what = "What is textured", .unit = "", .choices = {"ellipsoid", "planes"}},
-                 {.name = "filter",
-                  .what = "How: the nearest texel, four, mip levels of plain and of weighted means, 16 "
-                          "samples of them, the table, 256 samples a pixel",
-                  .unit = "",
-                  .initial = Table,
-                  .choices = {"nearest", "bilinear", "mip", "mip-filtered", "anisotropic", "table", "reference"}},
-                 {.name = "pattern", .what = "The texture", .unit = "", .choices = {"stripes", "checks"}},
-                 {.name = "repeats",
-                  .what = "How often it lies round the ellipsoid; along planes two and a half times as often",
-                  .unit = "",
-                  .minimum = 1,
-                  .maximum = 64,
-                  .initial = 16,
-                  .isWhole = true},
-                 {"roll", "Of the camera: at 0 the texture lies upright in the picture", "degrees", -90, 90, 0}},
-            .make = MakeEffect<TextureFiltering>};
+    return {
+        .name = "texture-filtering",
+        .what = "A striped ellipsoid and receding planes, textured through a table and in seven other ways",
+        .paper = "Crow 1984, sect. 2 and 4, Figs 3 to 7",
+        .lookFor = "the table blurs along the direction in which the texture is compressed, a mip map in both",
+        .parameters = {{.name = "scene", .what = "What is textured", .unit = "", .choices = {"ellipsoid", "planes"}},
+                       {.name = "filter",
+                        .what = "How: the nearest texel, four, mip levels of plain and of weighted means, plain "
+                                "ones under the cubic B-spline, 16 samples of them, the table, 256 samples a pixel",
+                        .unit = "",
+                        .initial = Table,
+                        .choices = {"nearest", "bilinear", "mip", "mip-filtered", "mip-bspline", "anisotropic",
+                                    "table", "reference"}},
+                       {.name = "pattern", .what = "The texture", .unit = "", .choices = {"stripes", "checks"}},
+                       {.name = "repeats",
+                        .what = "How often it lies round the ellipsoid; along planes two and a half times as often",
+                        .unit = "",
+                        .minimum = 1,
+                        .maximum = 64,
+                        .initial = 16,
+                        .isWhole = true},
+                       {"roll", "Of the camera: at 0 the texture lies upright in the picture", "degrees", -90, 90,
+                        0}},
+        .make = MakeEffect<TextureFiltering>};
 }
 
 }  // namespace boxcar

@@ -69,7 +69,7 @@ std::map<std::string, double> PsnrOfFilters(EffectPictures& pictures, const Sett
     std::map<std::string, double> psnr;
     for (const auto& [name, value] : settings)
         std::printf("%s ", value.c_str());
-    for (const char* filter : {"nearest", "bilinear", "mip", "mip-filtered", "anisotropic", "table"}) {
+    for (const char* filter : {"nearest", "bilinear", "mip", "mip-filtered", "mip-bspline", "anisotropic", "table"}) {
         psnr[filter] = Psnr(picture(filter), reference, pixels);
         std::printf("| %s %.2f ", filter, psnr[filter]);
     }
