@@ -124,7 +124,7 @@ float4 BSplineLoad2D(Texture2D<float4> source, int2 extentTexels, float2 edgeTex
 
 // CatmullRomLoad2D: the cubic that goes through the texels.
 //
-// Error: 4 u of the largest texel. It overshoots by up to a quarter of a step.
+// Error: 4 u of the largest texel. It goes beyond them by up to 0.28 of their range.
 // Cost:  16 loads.
 float4 CatmullRomLoad2D(Texture2D<float4> source, int2 extentTexels, float2 edgeTexels)
 {
