@@ -25,8 +25,8 @@ public:
     CommandList& operator=(CommandList&&) noexcept;
 
     // Throws Error: a texture of the shaders is not among pass.reads, or is a volume or a cube map where they read
-    // another kind; an image is read and written at once; the targets and the depth image differ in extent, are not of
-    // the pipeline's formats or are volumes; the constants have another size than the shaders'; a mesh or a depth
+    // another kind; an image is read and written at once; the targets and the depth image differ in extent, are not
+    // of the pipeline's formats or are volumes; the constants have another size than the shaders'; a mesh or a depth
     // image is missing, or given to a pipeline that has no use for it. The message names the pass.
     void Draw(const Pass& pass);
 

@@ -18,6 +18,7 @@ struct EffectFigure {
     std::string_view mesh = "";
     uint32_t samples = 2;  // along a pixel's side, so that edges look well; times are for one
     bool hasPsnr = false;
+    std::string_view volume = "";
 };
 
 const EffectFigure kFigures[] = {
@@ -178,6 +179,34 @@ const EffectFigure kFigures[] = {
      "",
      1},
     {"depth-of-field", "In layers, focused behind.", "at most 480", {{"lens", "0.4"}, {"focus", "12"}}},
+    {.effect = "isosurface",
+     .caption = "The signal of Marschner and Lobb, trilinear (Fig. 20-4).",
+     .loads = "1 a step and 19",
+     .settings = {{"filter", "trilinear"}, {"iso", "127.5"}, {"elevation", "45"}},
+     .volume = "marschner-lobb"},
+    {.effect = "isosurface",
+     .caption = "The same, tricubic.",
+     .loads = "8 a step and 64",
+     .settings = {{"iso", "127.5"}, {"elevation", "45"}},
+     .volume = "marschner-lobb"},
+    {.effect = "isosurface",
+     .caption = "A brain, trilinear.",
+     .loads = "1 a step and 19",
+     .settings = {{"filter", "trilinear"}}},
+    {.effect = "isosurface", .caption = "Tricubic.", .loads = "8 a step and 64"},
+    {.effect = "isosurface",
+     .caption = "Trilinear, near.",
+     .loads = "1 a step and 19",
+     .settings = {{"filter", "trilinear"}, {"zoom", "5"}}},
+    {.effect = "isosurface", .caption = "Tricubic, near.", .loads = "8 a step and 64", .settings = {{"zoom", "5"}}},
+    {.effect = "isosurface",
+     .caption = "A colour for each pair of curvatures, of gradient and Hessian on the fly (Fig. 20-5).",
+     .loads = "8 a step and 64",
+     .settings = {{"shade", "curvature"}}},
+    {.effect = "isosurface",
+     .caption = "Ridges light, valleys dark.",
+     .loads = "8 a step and 64",
+     .settings = {{"shade", "ridges"}}},
 };
 
 // Of the texture alone, against 256 samples a pixel: light is divided out (alpha is that of white), and pixels on the
@@ -224,6 +253,7 @@ void AddEffectSections(Device& device, const std::filesystem::path& folder, cons
             options.extent = size;
             options.environment = figure.environment;
             options.mesh = figure.mesh;
+            options.volume = figure.volume;
             std::vector<PassTime> passes;
             EffectRun timed(device, options, figure.settings);
             timed.Render(0, SampleType::Unorm8);  // shaders are compiled when first used

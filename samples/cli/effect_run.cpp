@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "samples/cli/device_run.h"
 #include "samples/cli/light.h"
+#include "samples/scenes/volumes.h"
 
 namespace boxcar {
 namespace {
@@ -22,6 +24,12 @@ EffectInputs InputsOf(const EffectInfo& info, const EffectOptions& options) {
         throw UsageError("--env {}: {} has no use for it", options.environment, info.name);
     if (!options.mesh.empty() && !info.takesMesh)
         throw UsageError("--mesh {}: {} has no use for it", options.mesh, info.name);
+    if (!options.volume.empty() && !info.takesVolume)
+        throw UsageError("--volume {}: {} has no use for it", options.volume, info.name);
+    if (info.takesVolume) {
+        const std::string name = options.volume.empty() ? "head" : options.volume;
+        inputs.volume = name == "head" || name == "marschner-lobb" ? SampleVolume(name) : ReadVolume(name);
+    }
     if (info.takesEnvironment)
         inputs.environment = ReadEnvironment(options.environment.empty() ? "venice" : options.environment);
     if (info.takesMesh) {
@@ -50,6 +58,21 @@ std::vector<glm::vec4> Means(const std::vector<glm::vec4>& samples, Extent2D ext
     return means;
 }
 
+// --NAME VALUE for --set NAME=VALUE, of every parameter that there is; those of another effect are refused as with
+// --set.
+void AddParameterOptions(CLI::App& command, EffectOptions& options) {
+    std::set<std::string> names;
+    for (const EffectInfo& info : Effects())
+        for (const Parameter& parameter : info.parameters)
+            names.emplace(parameter.name);
+    for (const std::string& name : names)
+        command
+            .add_option_function<std::string>(
+                "--" + name,
+                [&options, name](const std::string& value) { options.sets.push_back(name + "=" + value); })
+            ->group("");
+}
+
 float Shown(float light) {
     constexpr float kKnee = 0.7f, kRest = 1 - kKnee;
     return light < kKnee ? light : kKnee + kRest * (1 - std::exp(-(light - kKnee) / kRest));
@@ -61,7 +84,7 @@ void AddEffectOptions(CLI::App& command, EffectOptions& options) {
     command.add_option("EFFECT", options.effect, "Name of an effect (boxcar list)")->required();
     command.add_option("--size", options.extent, "Width and height in texels (default 640x360)")->type_name("WxH");
     command.add_option("--time", options.timeSeconds, "Time of the scene, seconds (default 0)")->type_name("S");
-    command.add_option("--set", options.sets, "Sets a parameter; may come several times")
+    command.add_option("--set", options.sets, "Sets a parameter, as --NAME VALUE does; may come several times")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
     command
@@ -69,6 +92,9 @@ void AddEffectOptions(CLI::App& command, EffectOptions& options) {
                     "Light from all around: an equirectangular picture, or city, studio, venice (default)")
         ->type_name("F");
     command.add_option("--mesh", options.mesh, "Object: an OBJ file, or bunny (default), teapot")->type_name("F");
+    command.add_option("--volume", options.volume, "Volume: a NIfTI file, or head (default), marschner-lobb")
+        ->type_name("F");
+    AddParameterOptions(command, options);
     AddDeviceOptions(command, options.device);
 }
 

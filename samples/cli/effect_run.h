@@ -19,6 +19,7 @@ struct EffectOptions {
     std::vector<std::string> sets;  // NAME=VALUE
     std::string environment;        // a file, or one of ours
     std::string mesh;
+    std::string volume;
     uint32_t samples = 1;  // along each side of a pixel
     DeviceOptions device;
 };
@@ -36,8 +37,8 @@ Setting ParseSetting(const std::string& text);
 // Everything that a frame needs, ready to draw.
 class EffectRun {
 public:
-    // Throws UsageError: no such effect; a size, a parameter or a flag that it does not take. Throws Error: a mesh or
-    // an environment that cannot be read; what the device cannot do.
+    // Throws UsageError: no such effect; a size, a parameter or a flag that it does not take. Throws Error: a mesh, a
+    // volume or an environment that cannot be read; what the device cannot do.
     EffectRun(Device& device, const EffectOptions& options, const std::vector<Setting>& settings);
 
     // A frame's samples as the effect gives them: as many times wider and higher than the picture as a

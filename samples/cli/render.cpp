@@ -96,14 +96,16 @@ void List(bool asJson) {
                                 {"look_for", info.lookFor},
                                 {"takes_environment", info.takesEnvironment},
                                 {"takes_mesh", info.takesMesh},
+                                {"takes_volume", info.takesVolume},
                                 {"parameters", parameters}});
         }
         std::cout << document.dump(2) << std::endl;
         return;
     }
     for (const EffectInfo& info : Effects()) {
-        fmt::print("{}{}{}\n  {} ({})\n  Look for this: {}.\n", info.name, info.takesEnvironment ? "  [--env F]" : "",
-                   info.takesMesh ? "  [--mesh F]" : "", info.what, info.paper, info.lookFor);
+        fmt::print("{}{}{}{}\n  {} ({})\n  Look for this: {}.\n", info.name,
+                   info.takesEnvironment ? "  [--env F]" : "", info.takesMesh ? "  [--mesh F]" : "",
+                   info.takesVolume ? "  [--volume F]" : "", info.what, info.paper, info.lookFor);
         for (const Parameter& p : info.parameters) {
             std::string range;
             for (const std::string_view choice : p.choices)
@@ -126,7 +128,8 @@ void AddRenderCommand(CLI::App& app) {
         "Several frames go to OUT.0000.png, OUT.0001.png, .. at 30 a second. EXR holds linear light.\n\n"
         "Examples:\n"
         "  boxcar render planar-reflection -o floor.png\n"
-        "  boxcar render planar-reflection --set roughness=0.3 --mesh teapot --size 1280x720 -o floor.png");
+        "  boxcar render planar-reflection --set roughness=0.3 --mesh teapot --size 1280x720 -o floor.png\n"
+        "  boxcar render isosurface --volume scan.nii.gz --iso 92 --shade curvature --filter tricubic -o scan.png");
     AddEffectOptions(command, *options);
     AddSamplesOption(command, *options);
     command.add_option("-o,--output", options->output, "File, folder/ or - for standard output")

@@ -85,8 +85,9 @@ void Effect::AddTableStages(const std::string& name, TexelWords table) {
 
 std::span<const EffectInfo> Effects() {
     static const EffectInfo kEffects[] = {
-        GlossyEnvironmentInfo(), PhongEnvironmentInfo(), ParaboloidDirectInfo(), PlanarReflectionInfo(),
-        TranslucencyInfo(),      SoftShadowInfo(),       TextureFilteringInfo(), DepthOfFieldInfo(),
+        GlossyEnvironmentInfo(), PhongEnvironmentInfo(), ParaboloidDirectInfo(),
+        PlanarReflectionInfo(),  TranslucencyInfo(),     SoftShadowInfo(),
+        TextureFilteringInfo(),  DepthOfFieldInfo(),     IsosurfaceInfo(),
     };
     return kEffects;
 }

@@ -14,6 +14,7 @@
 
 #include "runtime/command_list.h"
 #include "runtime/passes/texel_words.h"
+#include "samples/files/volume.h"
 #include "samples/scenes/environment.h"
 
 namespace boxcar {
@@ -56,6 +57,7 @@ struct EffectInputs {
     Extent2D extent;  // texels; of the picture
     Environment environment = {};
     MeshData mesh = {};
+    Volume volume = {};
 };
 
 struct Frame {
@@ -104,6 +106,7 @@ struct EffectInfo {
     std::vector<Parameter> parameters;
     bool takesEnvironment = false;
     bool takesMesh = false;
+    bool takesVolume = false;
     bool isHighRange = false;  // its light goes beyond 1: what shows it brings the lights down
     std::unique_ptr<Effect> (*make)(Device& device, const EffectInputs& inputs,
                                     const ParameterValues& values) = nullptr;

@@ -13,5 +13,6 @@ EffectInfo TranslucencyInfo();
 EffectInfo SoftShadowInfo();
 EffectInfo TextureFilteringInfo();
 EffectInfo DepthOfFieldInfo();
+EffectInfo IsosurfaceInfo();
 
 }  // namespace boxcar

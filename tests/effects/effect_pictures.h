@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "samples/effects/effect.h"
+#include "samples/scenes/volumes.h"
 #include "tests/support/device_image.h"
 #include "tools/layout/error.h"
 
@@ -24,7 +25,7 @@ inline std::vector<std::string> EffectNames() {
 
 class EffectPictures {
 public:
-    // With the bunny in venice, where the effect takes them. `fixed` holds for every picture.
+    // With the bunny in venice and the head, where the effect takes them. `fixed` holds for every picture.
     EffectPictures(std::string_view effectName, Extent2D extent, Settings fixed = {})
         : m_info(FindEffect(effectName)),
           m_fixed(std::move(fixed)),
@@ -34,7 +35,8 @@ public:
     static EffectInputs InputsFor(const EffectInfo& info, Extent2D extent) {
         return {.extent = extent,
                 .environment = info.takesEnvironment ? SampleEnvironment("venice") : Environment(),
-                .mesh = info.takesMesh ? SampleMesh("bunny") : MeshData()};
+                .mesh = info.takesMesh ? SampleMesh("bunny") : MeshData(),
+                .volume = info.takesVolume ? SampleVolume("head") : Volume()};
     }
 
     Texels Picture(const Settings& settings = {}, double timeSeconds = 0) {

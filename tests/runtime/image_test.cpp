@@ -18,10 +18,9 @@ TEST(Image, RefusesASideOfZeroOrOverTheLimit) {
 
 TEST(Image, RefusesAVolumeOverTheLimitOfItsSides) {
     const uint32_t limit = TestDevice().Limits().maxVolumeSideTexels;
-    EXPECT_ERROR(Image(TestDevice(),
-                       {.extent = {4, 5}, .format = Format::R32F, .name = "deep", .depthTexels = limit + 1}),
-                 fmt::format("image 'deep' of 4 x 5 x {} texels: the device takes at most {} a side", limit + 1,
-                             limit));
+    EXPECT_ERROR(
+        Image(TestDevice(), {.extent = {4, 5}, .format = Format::R32F, .name = "deep", .depthTexels = limit + 1}),
+        fmt::format("image 'deep' of 4 x 5 x {} texels: the device takes at most {} a side", limit + 1, limit));
     EXPECT_ERROR(Image(TestDevice(), {.extent = {4, 0}, .format = Format::R32F, .name = "flat", .depthTexels = 3}),
                  "image 'flat' of 4 x 0 x 3 texels: both sides must be at least 1");
 }

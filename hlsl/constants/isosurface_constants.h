@@ -1,0 +1,41 @@
+// Constants of the isosurface effect's shaders: one text for HLSL and C++. Order the members so that none crosses a
+// 16-byte line.
+#ifndef BOXCAR_ISOSURFACE_CONSTANTS_H
+#define BOXCAR_ISOSURFACE_CONSTANTS_H
+
+#ifdef __cplusplus
+#include "hlsl/constants/hlsl_types.h"
+namespace boxcar {
+#endif
+
+// isosurface_march.ps: the ray of a pixel goes from the eye along forward + x right + y up, x and y from -1 to 1. All in
+// voxels, from the volume's corner.
+struct IsosurfaceMarchConstants {
+    float3 eyeVoxels;
+    float iso;
+    float3 forwardVoxels;
+    float stepVoxels;
+    float3 rightVoxels;
+    int blocksAcross;  // slices of blocks in a row of their image
+    float3 upVoxels;
+};
+
+// isosurface_shade.ps
+struct IsosurfaceShadeConstants {
+    float3 eyeMillimetres;  // from the volume's corner
+    int shade;
+    float3 voxelMillimetres;
+    float radiusMillimetres;  // of a curvature that has its full colour
+    float3 lightMillimetres;  // towards the lamp; of length 1
+};
+
+// isosurface_blocks.ps
+struct IsosurfaceBlocksConstants {
+    int blocksAcross;
+};
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
