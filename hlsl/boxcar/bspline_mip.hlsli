@@ -26,6 +26,14 @@ int2 BSplineLevelExtent(int2 extentTexels, int level)
     return max(int2(extentTexels.x >> level, extentTexels.y >> level), 1);
 }
 
+// BSplineSampleOf2D: the spline of a level whose extent is known.
+float4 BSplineSampleOf2D(Texture2D<float4> source, SamplerState linearClamp, int2 levelTexels, float2 uv, float level)
+{
+    float2 edgeTexels = TexelUvToEdge(uv, levelTexels);
+    float2 t = BSplinePointOf(edgeTexels).t;
+    return BSplineFetch2D(source, linearClamp, levelTexels, edgeTexels, BSplineHG(t.x), BSplineHG(t.y), level);
+}
+
 // BSplineSampleLevel2D: the spline of one level.
 //
 //   source        with mip levels
@@ -38,10 +46,7 @@ int2 BSplineLevelExtent(int2 extentTexels, int level)
 // Cost:  4 linear fetches.
 float4 BSplineSampleLevel2D(Texture2D<float4> source, SamplerState linearClamp, int2 extentTexels, float2 uv, int level)
 {
-    int2 levelTexels = BSplineLevelExtent(extentTexels, level);
-    float2 edgeTexels = TexelUvToEdge(uv, levelTexels);
-    float2 t = BSplinePointOf(edgeTexels).t;
-    return BSplineFetch2D(source, linearClamp, levelTexels, edgeTexels, BSplineHG(t.x), BSplineHG(t.y), level);
+    return BSplineSampleOf2D(source, linearClamp, BSplineLevelExtent(extentTexels, level), uv, level);
 }
 
 // BSplineSampleMip2D: the splines of the two levels about `level`, by its fraction.
@@ -89,10 +94,7 @@ float4 BSplineSampleMeta2D(Texture2D<float4> source, Texture2D<float4> meta, Sam
                            SamplerState nearestClamp, float2 uv)
 {
     float4 level = meta.Sample(nearestClamp, uv);
-    int2 levelTexels = int2(round(1.0 / level.xy));
-    float2 edgeTexels = TexelUvToEdge(uv, levelTexels);
-    float2 t = BSplinePointOf(edgeTexels).t;
-    return BSplineFetch2D(source, linearClamp, levelTexels, edgeTexels, BSplineHG(t.x), BSplineHG(t.y), level.z);
+    return BSplineSampleOf2D(source, linearClamp, int2(round(1.0 / level.xy)), uv, level.z);
 }
 
 // BSplineSampleTrilinear2D: the splines of the two levels that a sampler takes, blended as it would.
