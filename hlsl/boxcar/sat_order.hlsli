@@ -245,7 +245,7 @@ float4 SATSumOrder(SATExactTable table, int2 extentTexels, int order, float2 cen
             else
             {
                 int first = order * (x - order);
-                [unroll]
+                [unroll(3)]
                 for (int i = 0; i < order; i++)
                     entry = SATWideSub(entry, SATWideScale(baseColumn[i], column.fromBase[i]));
                 if (y < order)
@@ -254,7 +254,7 @@ float4 SATSumOrder(SATExactTable table, int2 extentTexels, int order, float2 cen
                 }
                 else
                 {
-                    [unroll]
+                    [unroll(3)]
                     for (int j = 0; j < order; j++)
                         entry = SATWideSub(entry, SATWideScale(baseRows[first + j], row.fromBase[j]));
                     rowSum += column.weight * SATWideToFloat(entry, table.words, true);
