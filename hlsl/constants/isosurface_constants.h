@@ -3,6 +3,8 @@
 #ifndef BOXCAR_ISOSURFACE_CONSTANTS_H
 #define BOXCAR_ISOSURFACE_CONSTANTS_H
 
+#define ISOSURFACE_BLOCK_CELLS 4  // of a block's side; a cell lies between two voxels
+
 #ifdef __cplusplus
 #include "hlsl/constants/hlsl_types.h"
 namespace boxcar {

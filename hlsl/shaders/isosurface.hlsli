@@ -1,11 +1,12 @@
 // isosurface.hlsli: blocks of a volume, and where they lie in their image.
 //
-// A block is kBlockCells cells a side; a cell lies between voxels i and i + 1. Slices of blocks lie side by side in rows of
-// `blocksAcross`.
+// Slices of blocks lie side by side, in rows of `blocksAcross`.
 #ifndef BOXCAR_ISOSURFACE_HLSLI
 #define BOXCAR_ISOSURFACE_HLSLI
 
-static const int kBlockCells = 4;
+#include "constants/isosurface_constants.h"
+
+static const int kBlockCells = ISOSURFACE_BLOCK_CELLS;
 
 int3 IsosurfaceBlocks(int3 extentVoxels)
 {

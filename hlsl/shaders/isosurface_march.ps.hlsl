@@ -43,9 +43,9 @@ float4 main(QuadVertex i) : SV_Target0
     ray += float3(abs(ray.x) < 1e-7 ? 1e-7 : 0.0, abs(ray.y) < 1e-7 ? 1e-7 : 0.0, abs(ray.z) < 1e-7 ? 1e-7 : 0.0);
     float3 a = -g.eyeVoxels / ray, b = (float3(extent) - g.eyeVoxels) / ray;
     float3 enters = min(a, b), leaves = max(a, b);
-    float near = max(max(max(enters.x, enters.y), enters.z), 0.0);
-    float far = min(min(leaves.x, leaves.y), leaves.z);
-    float last = far > near ? ceil((far - near) / g.stepVoxels) : -1.0;
+    float tNear = max(max(max(enters.x, enters.y), enters.z), 0.0);
+    float tFar = min(min(leaves.x, leaves.y), leaves.z);
+    float last = tFar > tNear ? ceil((tFar - tNear) / g.stepVoxels) : -1.0;
 
     float k = 0.0;
     bool isHit = false;
@@ -56,7 +56,7 @@ float4 main(QuadVertex i) : SV_Target0
         [loop]
         while (k <= last)
         {
-            float t = min(near + k * g.stepVoxels, far);
+            float t = min(tNear + k * g.stepVoxels, tFar);
             float3 at = clamp(g.eyeVoxels + t * ray, 0.0, float3(extent));
             block = min(IsosurfaceBlockOf(at), blocks - 1);
             if (blockMaxima.Load(int3(IsosurfaceBlockTexel(block, blocks, g.blocksAcross), 0)) >= g.iso)
@@ -66,12 +66,12 @@ float4 main(QuadVertex i) : SV_Target0
                                  ray.y > 0.0 ? side.y + kBlockCells - at.y : block.y > 0 ? side.y - at.y : -1e6,
                                  ray.z > 0.0 ? side.z + kBlockCells - at.z : block.z > 0 ? side.z - at.z : -1e6) / ray;
             float tOut = t + min(min(goes.x, goes.y), goes.z);
-            k = max(k + 1.0, ceil((tOut - near) / g.stepVoxels));
+            k = max(k + 1.0, ceil((tOut - tNear) / g.stepVoxels));
         }
         [loop]
         while (k <= last && !isHit)
         {
-            float3 at = clamp(g.eyeVoxels + min(near + k * g.stepVoxels, far) * ray, 0.0, float3(extent));
+            float3 at = clamp(g.eyeVoxels + min(tNear + k * g.stepVoxels, tFar) * ray, 0.0, float3(extent));
             int3 leaving = abs(min(IsosurfaceBlockOf(at), blocks - 1) - block);
             if (leaving.x + leaving.y + leaving.z > 0)
                 break;
@@ -80,7 +80,7 @@ float4 main(QuadVertex i) : SV_Target0
         }
     }
 
-    float hi = min(near + k * g.stepVoxels, far), lo = max(near + (k - 1.0) * g.stepVoxels, near);
+    float hi = min(tNear + k * g.stepVoxels, tFar), lo = max(tNear + (k - 1.0) * g.stepVoxels, tNear);
     float aboveHi = Above(g.eyeVoxels + hi * ray, extent), aboveLo = Above(g.eyeVoxels + lo * ray, extent);
     float t = hi;
     float side = 0.0;  // of the last narrowing: 1 the far end was moved, -1 the near one
@@ -99,6 +99,6 @@ float4 main(QuadVertex i) : SV_Target0
         aboveLo = isFar ? aboveLo : above;
         side = isFar ? 1.0 : -1.0;
     }
-    float3 found = clamp(g.eyeVoxels + (k > 0.0 ? t : near) * ray, 0.0, float3(extent));
+    float3 found = clamp(g.eyeVoxels + (k > 0.0 ? t : tNear) * ray, 0.0, float3(extent));
     return isHit ? float4(found, k > 0.0 ? 1.0 : 2.0) : float4(0.0, 0.0, 0.0, 0.0);
 }

@@ -19,6 +19,7 @@ struct EffectFigure {
     uint32_t samples = 2;  // along a pixel's side, so that edges look well; times are for one
     bool hasPsnr = false;
     std::string_view volume = "";
+    std::string_view extent = "";  // of its own
 };
 
 const EffectFigure kFigures[] = {
@@ -190,10 +191,11 @@ const EffectFigure kFigures[] = {
      .settings = {{"iso", "127.5"}, {"elevation", "45"}},
      .volume = "marschner-lobb"},
     {.effect = "isosurface",
-     .caption = "A brain, trilinear.",
+     .caption = "A brain, trilinear, 640 x 480.",
      .loads = "1 a step and 19",
-     .settings = {{"filter", "trilinear"}}},
-    {.effect = "isosurface", .caption = "Tricubic.", .loads = "8 a step and 64"},
+     .settings = {{"filter", "trilinear"}},
+     .extent = "640x480"},
+    {.effect = "isosurface", .caption = "Tricubic, 640 x 480.", .loads = "8 a step and 64", .extent = "640x480"},
     {.effect = "isosurface",
      .caption = "Trilinear, near.",
      .loads = "1 a step and 19",
@@ -250,7 +252,7 @@ void AddEffectSections(Device& device, const std::filesystem::path& folder, cons
             if (figure.effect != info.name) continue;
             EffectOptions options;
             options.effect = info.name;
-            options.extent = size;
+            options.extent = figure.extent.empty() ? size : figure.extent;
             options.environment = figure.environment;
             options.mesh = figure.mesh;
             options.volume = figure.volume;

@@ -46,6 +46,13 @@ ParameterValues ValuesOf(const EffectInfo& info, const std::vector<Setting>& set
     return values;
 }
 
+// A value that the volume does not have would make an empty picture.
+void RequireIsoWithin(const Volume& volume, float iso) {
+    const auto [least, largest] = std::ranges::minmax_element(volume.voxels);
+    if (iso < *least || iso > *largest)
+        throw UsageError("iso={:g}: the volume holds values from {:g} to {:g}", iso, *least, *largest);
+}
+
 // The mean of `side` x `side` samples for each texel of `extent`.
 std::vector<glm::vec4> Means(const std::vector<glm::vec4>& samples, Extent2D extent, uint32_t side) {
     if (side == 1) return samples;
@@ -131,6 +138,7 @@ EffectRun::EffectRun(Device& device, const EffectOptions& options, const std::ve
     if (std::max(m_extent.widthTexels, m_extent.heightTexels) * m_samples > device.Limits().maxSideTexels)
         throw UsageError("--size {} --samples {}: the device draws at most {} samples a side", options.extent,
                          m_samples, device.Limits().maxSideTexels);
+    if (m_info.takesVolume) RequireIsoWithin(m_inputs.volume, m_values["iso"]);
     m_inputs.extent = {m_samples * m_extent.widthTexels, m_samples * m_extent.heightTexels};
     m_effect = m_info.make(device, m_inputs, m_values);
 }

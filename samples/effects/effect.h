@@ -106,7 +106,7 @@ struct EffectInfo {
     std::vector<Parameter> parameters;
     bool takesEnvironment = false;
     bool takesMesh = false;
-    bool takesVolume = false;
+    bool takesVolume = false;  // and has a parameter iso, a value of it
     bool isHighRange = false;  // its light goes beyond 1: what shows it brings the lights down
     std::unique_ptr<Effect> (*make)(Device& device, const EffectInputs& inputs,
                                     const ParameterValues& values) = nullptr;

@@ -19,7 +19,7 @@
 namespace boxcar {
 namespace {
 
-constexpr uint32_t kBlockCells = 4;  // of a side; hlsl/shaders/isosurface.hlsli
+constexpr uint32_t kBlockCells = ISOSURFACE_BLOCK_CELLS;
 constexpr float kViewRadians = 0.45f;
 constexpr float kTurnDegreesPerSecond = 20;
 

@@ -99,7 +99,7 @@ TEST(Render, DrawsTheSurfaceOfAVolumeWithParametersAsFlags) {
     const Outcome outcome = folder.Run(command + "--iso 40 --shade ridges --filter trilinear -o flags.png");
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     ASSERT_EQ(folder.Run(command + "--set iso=40 --set shade=ridges --set filter=trilinear -o sets.png").exitCode, 0);
-    ASSERT_EQ(folder.Run(command + "--iso -40 -o full.png").exitCode, 0);
+    ASSERT_EQ(folder.Run(command + "--iso 0 -o full.png").exitCode, 0);
     const Picture flags = ReadPicture(folder.Path("flags.png")), sets = ReadPicture(folder.Path("sets.png"));
     EXPECT_EQ(flags.samples, sets.samples);
     EXPECT_NE(flags.samples, ReadPicture(folder.Path("full.png")).samples);
@@ -111,6 +111,7 @@ TEST(Render, DrawsTheSurfaceOfAVolumeWithParametersAsFlags) {
     folder.WriteText("text.nii", "a text");
     expect("isosurface --volume text.nii", 1, "text.nii: it is too short for a NIfTI-1 volume");
     expect("isosurface --volume none.nii", 1, "none.nii: cannot be read: No such file or directory");
+    expect("isosurface --volume scan.nii --iso -101", 2, "iso=-101: the volume holds values from 0 to 100");
     expect("isosurface --shade dark", 2, "shade=dark: expected one of phong, curvature, ridges, normal");
     expect("isosurface --roughness 1", 2,
            "no parameter 'roughness'; there is filter, shade, iso, step, radius, turn, elevation, zoom");
