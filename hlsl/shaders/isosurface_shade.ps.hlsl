@@ -4,7 +4,7 @@
 //   g.shade  PHONG; CURVATURE: a colour for each pair of principal curvatures; RIDGES: ridges light, valleys dark;
 //            NORMAL: the normal as a colour
 //
-// Sigg 2005, sect. 20.5 (Figs 20-4 and 20-5); Kindlmann 2003 (transfer functions of two curvatures)
+// Sigg 2005, sect. 20.4 (Figs 20-4 and 20-5); Kindlmann 2003 (transfer functions of two curvatures)
 #include "boxcar/bspline_volume.hlsli"
 #include "boxcar/compat.hlsli"
 #include "constants/isosurface_constants.h"

@@ -5,7 +5,7 @@
 //
 // Lengths are millimetres; the volume's x, y, z axes are the world's, z up.
 //
-// Sigg 2005, sect. 20.5 (Figs 20-4 and 20-5); Kindlmann 2003 (curvature)
+// Sigg 2005, sect. 20.4 (Figs 20-4 and 20-5); Kindlmann 2003 (curvature)
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -174,7 +174,7 @@ EffectInfo IsosurfaceInfo() {
     return {
         .name = "isosurface",
         .what = "The surface of one value of a volume, by rays; trilinear or tricubic, with its curvatures",
-        .paper = "Sigg 2005, sect. 20.5, Figs 20-4 and 20-5",
+        .paper = "Sigg 2005, sect. 20.4, Figs 20-4 and 20-5",
         .lookFor = "tricubic is smooth where trilinear shows the voxels; valleys are dark and ridges light",
         .parameters = {{.name = "filter",
                         .what = "Of the voxels",
