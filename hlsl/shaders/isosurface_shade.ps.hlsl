@@ -2,7 +2,7 @@
 //
 //   FILTER   TRILINEAR: derivatives by differences over a voxel; TRICUBIC: those of the cubic B-spline
 //   g.shade  PHONG; CURVATURE: a colour for each pair of principal curvatures; RIDGES: ridges light, valleys dark;
-//            NORMAL: the normal as a colour
+//            NORMAL: the normal as a colour; MAXIMUM: blue to red by the larger curvature
 //
 // Sigg 2005, sect. 20.4 (Figs 20-4 and 20-5); Kindlmann 2003 (transfer functions of two curvatures)
 #include "boxcar/bspline_volume.hlsli"
@@ -18,7 +18,7 @@ Texture3D<float> volume : register(t0);
 Texture2D<float4> hits : register(t1);
 SamplerState linearClamp : register(s0);
 
-static const int kPhong = 0, kCurvature = 1, kRidges = 2;
+static const int kPhong = 0, kCurvature = 1, kRidges = 2, kMaximum = 4;
 
 float At(float3 edgeVoxels, int3 extent)
 {
@@ -76,6 +76,14 @@ float3 RidgesColour(float2 kappa)
     return lerp(colour, float3(0.045, 0.025, 0.02), valley);
 }
 
+// Of the larger curvature: blue where even that one bends inwards, white where it is flat, red on ridges and bumps.
+float3 MaximumColour(float kappa)
+{
+    static const float3 inwards = float3(0.03, 0.16, 0.60), plain = float3(0.88, 0.86, 0.82), outwards = float3(0.70, 0.06, 0.03);
+    float bent = g.radiusMillimetres * kappa;
+    return lerp(lerp(plain, inwards, saturate(-bent)), outwards, saturate(bent));
+}
+
 float4 main(QuadVertex i) : SV_Target0
 {
     float3 background = lerp(float3(0.86, 0.87, 0.89), float3(0.52, 0.54, 0.58), i.uv.y);
@@ -100,5 +108,7 @@ float4 main(QuadVertex i) : SV_Target0
         colour = CurvatureColour(kappa) * (0.2 + 0.9 * diffuse);
     else if (g.shade == kRidges)
         colour = RidgesColour(kappa) * (0.35 + 0.75 * diffuse);
+    else if (g.shade == kMaximum)
+        colour = MaximumColour(kappa.x) * (0.2 + 0.9 * diffuse);
     return float4(hit.w > 0.5 ? colour : background, 1.0);
 }

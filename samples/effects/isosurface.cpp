@@ -171,29 +171,29 @@ private:
 }  // namespace
 
 EffectInfo IsosurfaceInfo() {
-    return {
-        .name = "isosurface",
-        .what = "The surface of one value of a volume, by rays; trilinear or tricubic, with its curvatures",
-        .paper = "Sigg 2005, sect. 20.4, Figs 20-4 and 20-5",
-        .lookFor = "tricubic is smooth where trilinear shows the voxels; valleys are dark and ridges light",
-        .parameters = {{.name = "filter",
-                        .what = "Of the voxels",
-                        .unit = "",
-                        .initial = 1,
-                        .choices = {"trilinear", "tricubic"}},
-                       {.name = "shade",
-                        .what = "Light alone, a colour for each pair of curvatures, ridges and valleys, or normals",
-                        .unit = "",
-                        .choices = {"phong", "curvature", "ridges", "normal"}},
-                       {"iso", "The surface's value, in the volume's units", "", -1e6f, 1e6f, 92},
-                       {"step", "Along a ray, from look to look", "voxels", 0.1f, 2, 0.5f},
-                       {"radius", "Of a curvature that has its full colour", "mm", 0.1f, 1000, 3},
-                       {"turn", "Of the eye round the z axis; at 0 it is on the side of +y", "degrees", -180, 180,
-                        -125},
-                       {"elevation", "Of the eye over the x-y plane", "degrees", -90, 90, 25},
-                       {"zoom", "1 shows all of it", "", 0.1f, 20, 1}},
-        .takesVolume = true,
-        .make = MakeEffect<Isosurface>};
+    return {.name = "isosurface",
+            .what = "The surface of one value of a volume, by rays; trilinear or tricubic, with its curvatures",
+            .paper = "Sigg 2005, sect. 20.4, Figs 20-4 and 20-5",
+            .lookFor = "tricubic is smooth where trilinear shows the voxels; valleys are dark and ridges light",
+            .parameters = {{.name = "filter",
+                            .what = "Of the voxels",
+                            .unit = "",
+                            .initial = 1,
+                            .choices = {"trilinear", "tricubic"}},
+                           {.name = "shade",
+                            .what = "Light alone, a colour for each pair of curvatures, ridges and valleys, normals, "
+                                    "or the larger curvature",
+                            .unit = "",
+                            .choices = {"phong", "curvature", "ridges", "normal", "maximum"}},
+                           {"iso", "The surface's value, in the volume's units", "", -1e6f, 1e6f, 92},
+                           {"step", "Along a ray, from look to look", "voxels", 0.1f, 2, 0.5f},
+                           {"radius", "Of a curvature that has its full colour", "mm", 0.1f, 1000, 3},
+                           {"turn", "Of the eye round the z axis; at 0 it is on the side of +y", "degrees", -180, 180,
+                            -125},
+                           {"elevation", "Of the eye over the x-y plane", "degrees", -90, 90, 25},
+                           {"zoom", "1 shows all of it", "", 0.1f, 20, 1}},
+            .takesVolume = true,
+            .make = MakeEffect<Isosurface>};
 }
 
 }  // namespace boxcar
