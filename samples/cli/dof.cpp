@@ -21,6 +21,7 @@ struct DofOptions : BatchOptions {
     std::string method = "single";
     double focus = -1;
     double aperture = -1;
+    TapsOption taps;
     DiscOptions disc;
 };
 
@@ -72,7 +73,7 @@ struct Focused {
 Focused FocusByOneTable(Device& device, const Photograph& photograph, const DofOptions& options) {
     const auto& [picture, name, transfer, extent, depth, lens, largestTexels] = photograph;
     DepthOfFieldDesc desc{.extent = extent,
-                          .taps = Taps(options.read),
+                          .taps = options.taps.Count(),
                           .boxes = options.disc.Boxes(),
                           .sides = options.disc.Sides(),
                           .largestTexels = largestTexels};
@@ -168,6 +169,7 @@ void AddDofCommand(CLI::App& app) {
         "Example:\n"
         "  boxcar dof photo.jpg --depth disparity.png --focus 0.5 --aperture 100 -o focused.png");
     AddBatchOptions(command, *options);
+    AddTapsOption(command, options->taps);
     command.add_option("--depth", options->depth, "Picture of the depth, as large as IN; its red, raw, is read")
         ->required()
         ->type_name("D");

@@ -18,6 +18,7 @@ namespace boxcar {
 namespace {
 
 struct FilterOptions : BatchOptions {
+    TapsOption taps;
     TableOptions table;
     std::string width;
     std::string widthMap;
@@ -167,7 +168,7 @@ BlurDesc BlurFor(const Picture& picture, const std::string& name, Transfer trans
                   .boxes = kernel.boxes,
                   .sides = kernel.sides,
                   .edge = EdgeOf(options),
-                  .taps = Taps(options.read),
+                  .taps = options.taps.Count(),
                   .origin = OriginOf(options.table),
                   .largestTexels = glm::max(kernel.minTexels, kernel.maxTexels)};
     if (const auto asked = PrecisionOf(options.table))
@@ -325,6 +326,7 @@ void AddFilterCommand(CLI::App& app) {
         "  boxcar filter *.png -o blurred/ --width 33x1 --precision u32 --transfer raw --stats\n"
         "  boxcar filter - -o - --format exr --width 4.5 < sky.exr > soft.exr");
     AddBatchOptions(command, *options);
+    AddTapsOption(command, options->taps);
     command.add_option("--width", options->width, "Width and height in texels, real; below 1 acts as 1")
         ->type_name("W[xH]");
     command

@@ -63,8 +63,10 @@ void AddReadOptions(CLI::App& command, ReadOptions& options) {
     command.add_option("--nan", options.nanWord, "What to do with NaN and infinity: refuse (default) or zero")
         ->check(CLI::IsMember({"refuse", "zero"}))
         ->type_name("N");
-    command
-        .add_option("--taps", options.taps, "Texels added per pass while the table is built: 2, 4 (default), 8, 16")
+}
+
+void AddTapsOption(CLI::App& command, TapsOption& taps) {
+    command.add_option("--taps", taps.word, "Texels added per pass while the table is built: 2, 4 (default), 8, 16")
         ->check(CLI::IsMember({"2", "4", "8", "16"}))
         ->type_name("T");
 }
@@ -75,9 +77,8 @@ Picture ReadForDevice(const std::string& path, const Device& device, const ReadO
     if (options.nanWord == "zero") {
         ZeroNotFinite(picture);
     } else if (const auto at = FirstNotFinite(picture)) {
-        throw Error(
-            "{}: NaN or infinity at ({}, {}), which would poison the table from there on; --nan zero replaces it",
-            path, at->x, at->y);
+        throw Error("{}: NaN or infinity at ({}, {}), which would spread from there; --nan zero replaces it", path,
+                    at->x, at->y);
     }
     return picture;
 }
@@ -96,8 +97,8 @@ Transfer TransferFor(const Picture& picture, const ReadOptions& options) {
     return options.transferWord == "srgb" ? Transfer::Srgb : Transfer::Raw;
 }
 
-uint32_t Taps(const ReadOptions& options) {
-    return static_cast<uint32_t>(std::stoul(options.taps));
+uint32_t TapsOption::Count() const {
+    return static_cast<uint32_t>(std::stoul(word));
 }
 
 void AddTableOptions(CLI::App& command, TableOptions& options, const std::string& biasDefault,

@@ -48,7 +48,6 @@ void RequireFolder(const std::string& path);
 struct ReadOptions {
     std::string transferWord = "auto";
     std::string nanWord = "refuse";
-    std::string taps = "4";
 };
 void AddReadOptions(CLI::App& command, ReadOptions& options);
 
@@ -63,7 +62,13 @@ Picture ReadBeside(const Picture& picture, const std::string& path, const std::s
 // srgb for integer files and raw for float files, unless said otherwise.
 Transfer TransferFor(const Picture& picture, const ReadOptions& options);
 
-uint32_t Taps(const ReadOptions& options);
+// --taps: of the commands that build a table.
+struct TapsOption {
+    std::string word = "4";
+
+    uint32_t Count() const;
+};
+void AddTapsOption(CLI::App& command, TapsOption& taps);
 
 // Flags of the commands that choose a table.
 struct TableOptions {

@@ -17,6 +17,7 @@ namespace boxcar {
 namespace {
 
 struct SatOptions : BatchOptions {
+    TapsOption taps;
     TableOptions table;
     uint32_t order = 1;
     bool explain = false;
@@ -104,7 +105,7 @@ Stats WriteTable(Device& device, const Job& job, const SatOptions& options) {
     SummedAreaTable table(device, {.extent = extent,
                                    .precision = precision,
                                    .order = options.order,
-                                   .taps = Taps(options.read),
+                                   .taps = options.taps.Count(),
                                    .origin = OriginOf(options.table)});
     CommandList commands(device, CommandList::Timing::On);
     Stats stats{.input = job.input,
@@ -171,6 +172,7 @@ void AddSatCommand(CLI::App& app) {
         "  boxcar sat photo.png -o table.exr --transfer raw\n"
         "  boxcar sat photo.png -o table.exr --precision u64 --order 2 --explain");
     AddBatchOptions(command, *options);
+    AddTapsOption(command, options->taps);
     AddTableOptions(command, options->table, "none", "fp32");
     command.add_option("--order", options->order, "How often sums are taken: 1 (default); 2 or 3, of integers")
         ->check(CLI::IsMember({1, 2, 3}))

@@ -189,10 +189,9 @@ TEST(Filter, NanIsRefusedWithItsPlaceOrReplaced) {
     WritePicture(picture, folder.Path("in.pfm"), FileFormat::Pfm, SampleType::Float32);
     const Outcome refused = folder.Run("filter in.pfm -o out.pfm --width 3");
     EXPECT_EQ(refused.exitCode, 1);
-    EXPECT_EQ(
-        refused.err,
-        "boxcar: in.pfm: NaN or infinity at (5, 2), which would poison the table from there on; --nan zero replaces "
-        "it\n");
+    EXPECT_EQ(refused.err,
+              "boxcar: in.pfm: NaN or infinity at (5, 2), which would spread from there; --nan zero replaces "
+              "it\n");
     EXPECT_EQ(folder.Names(), std::vector<std::string>({"in.pfm"}));
 
     ASSERT_EQ(folder.Run("filter in.pfm -o out.pfm --width 3 --nan zero").exitCode, 0);

@@ -112,7 +112,7 @@ TEST(Render, DrawsTheSurfaceOfAVolumeWithParametersAsFlags) {
     expect("isosurface --volume text.nii", 1, "text.nii: it is too short for a NIfTI-1 volume");
     expect("isosurface --volume none.nii", 1, "none.nii: cannot be read: No such file or directory");
     expect("isosurface --volume scan.nii --iso -101", 2, "iso=-101: the volume holds values from 0 to 100");
-    expect("isosurface --shade dark", 2, "shade=dark: expected one of phong, curvature, ridges, normal");
+    expect("isosurface --shade dark", 2, "shade=dark: expected one of phong, curvature, ridges, normal, maximum");
     expect("isosurface --roughness 1", 2,
            "no parameter 'roughness'; there is filter, shade, iso, step, radius, turn, elevation, zoom");
     expect("planar-reflection --volume head", 2, "--volume head: planar-reflection has no use for it");

@@ -209,6 +209,7 @@ TEST(Resize, RefusesInOneLine) {
     refused("resize in.png -o out.png", 2, "resize takes --size WxH or --scale S");
     refused("resize in.png -o out.png --scale 0", 2, "--scale 0: expected a number from 0.0001 to 16384");
     refused("resize in.png -o out.png --scale nan", 2, "--scale nan: expected a number from 0.0001 to 16384");
+    refused("resize in.png -o out.png --scale 2 --taps 4", 2, "The following argument was not expected: --taps");
     refused("resize in.png -o out.png --size 4", 2, "--size 4: expected WxH, two whole numbers from 1 to 8192");
     EXPECT_EQ(folder.Run("resize in.png -o out.png --scale 16000").exitCode, 1);
     EXPECT_EQ(folder.Run("resize in.png -o out.png --scale 2 --size 3x3").exitCode, 2);
