@@ -3,7 +3,7 @@
 //   BSplineWeightsOfDegree, BSplineHGOfDegree  the nearest texel and linear interpolation, the B-splines of degree 0 and 1
 //   GaussianWeights1                           of the first derivative of GaussianWeights' sum
 //
-// Weights are those of texels i - 1 .. i + 2; bspline_fetch.hlsli fetches. Degree 2 is none of them: its three texels lie about
+// Weights are those of texels i - 1 .. i + 2; bspline_sample.hlsli fetches. Degree 2 is none of them: its three texels lie about
 // the nearest one.
 //
 // Sigg 2005, sect. 20.1 and 20.6

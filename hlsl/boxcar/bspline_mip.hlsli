@@ -26,14 +26,6 @@ int2 BSplineLevelExtent(int2 extentTexels, int level)
     return max(int2(extentTexels.x >> level, extentTexels.y >> level), 1);
 }
 
-// BSplineSampleOf2D: the spline of a level whose extent is known.
-float4 BSplineSampleOf2D(Texture2D<float4> source, SamplerState linearClamp, int2 levelTexels, float2 uv, float level)
-{
-    float2 edgeTexels = TexelUvToEdge(uv, levelTexels);
-    float2 t = BSplinePointOf(edgeTexels).t;
-    return BSplineFetch2D(source, linearClamp, levelTexels, edgeTexels, BSplineHG(t.x), BSplineHG(t.y), level);
-}
-
 // BSplineSampleLevel2D: the spline of one level.
 //
 //   source        with mip levels

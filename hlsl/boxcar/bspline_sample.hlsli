@@ -74,6 +74,16 @@ float4 BSplineSample1D(Texture2D<float4> source, SamplerState linearClamp, int2 
     return BSplineFetch1D(source, linearClamp, extentTexels, edgeTexels, BSplineHG(BSplinePointOf(edgeTexels).t.x), 0.0);
 }
 
+// BSplineSampleOf2D: the spline of a whole level, from its own extent.
+//
+// Cost: 4 linear fetches.
+float4 BSplineSampleOf2D(Texture2D<float4> source, SamplerState linearClamp, int2 levelTexels, float2 uv, float level)
+{
+    float2 edgeTexels = TexelUvToEdge(uv, levelTexels);
+    float2 t = BSplinePointOf(edgeTexels).t;
+    return BSplineFetch2D(source, linearClamp, levelTexels, edgeTexels, BSplineHG(t.x), BSplineHG(t.y), level);
+}
+
 // BSplineSample2D: the cubic B-spline of a picture.
 //
 //   source       any number of texels
@@ -87,9 +97,7 @@ float4 BSplineSample1D(Texture2D<float4> source, SamplerState linearClamp, int2 
 // Sigg 2005, listing 20-2
 float4 BSplineSample2D(Texture2D<float4> source, SamplerState linearClamp, int2 extentTexels, float2 uv)
 {
-    float2 edgeTexels = TexelUvToEdge(uv, extentTexels);
-    float2 t = BSplinePointOf(edgeTexels).t;
-    return BSplineFetch2D(source, linearClamp, extentTexels, edgeTexels, BSplineHG(t.x), BSplineHG(t.y), 0.0);
+    return BSplineSampleOf2D(source, linearClamp, extentTexels, uv, 0.0);
 }
 
 // BSplineSum2D: the sum of 4 x 4 texels times weights; the edge texel goes on outside.
