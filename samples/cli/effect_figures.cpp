@@ -263,18 +263,18 @@ void AddEffectSections(Device& device, const std::filesystem::path& folder, cons
             std::vector<PassTime> passes;
             EffectRun timed(device, options, figure.settings);
             timed.Render(0, SampleType::Unorm8);  // shaders are compiled when first used
-            timed.Render(0, SampleType::Unorm8, &passes);
+            Picture picture = timed.Render(0, SampleType::Unorm8, &passes);
             options.samples = figure.samples;
-            const Picture picture = EffectRun(device, options, figure.settings).Render(0, SampleType::Unorm8);
+            if (figure.samples > 1)
+                picture = EffectRun(device, options, figure.settings).Render(0, SampleType::Unorm8);
             const std::string file = fmt::format("{}_{}.png", info.name, section.figures.size());
-            WritePicture(picture, (folder / file).string(), FileFormat::Png, SampleType::Unorm8);
             std::string caption = fmt::format("{} {:.0f} ms a frame; {} loads a pixel.", figure.caption,
                                               Milliseconds(passes), figure.loads);
             if (figure.hasPsnr) {
                 options.samples = 1;
                 caption += fmt::format(" PSNR {:.1f} dB.", PsnrOfTexture(device, options, figure.settings));
             }
-            section.figures.push_back({file, caption});
+            section.figures.push_back(SaveFigure(folder, file, picture, caption));
         }
         sections.push_back(std::move(section));
     }

@@ -1,7 +1,6 @@
 #include "samples/cli/resize.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <memory>

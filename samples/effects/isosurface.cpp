@@ -8,13 +8,14 @@
 // Sigg 2005, sect. 20.4 (Figs 20-4 and 20-5); Kindlmann 2003 (curvature)
 #include <algorithm>
 #include <cmath>
+#include <glm/trigonometric.hpp>
 #include <tuple>
 
 #include "hlsl/constants/isosurface_constants.h"
 #include "runtime/passes/quad_shaders.h"
 #include "runtime/transfer.h"
 #include "samples/effects/effects.h"
-#include "samples/scenes/camera.h"
+#include "tools/layout/error.h"
 
 namespace boxcar {
 namespace {
