@@ -8,12 +8,14 @@
 //   SATWide..        four integers modulo 2^64, one a channel; with one word only .low counts
 //   SATLoadCorner    F at any whole corner (sat.hlsli says what F is)
 //   SATSumTexels     the sum over whole texels: 4 loads a word
-//   SATSumBox        the sum over any box: 16 loads a word
+//   SATSumBox        the sum over any box, rounded to float: 16 loads a word
+//   SATSumBoxPair    the same to 46 bits, of a box whose place is told apart from its size
 //
 // Hensley 2005, sect. 4 (the bits that a table needs); beyond the papers
 #ifndef BOXCAR_SAT_EXACT_HLSLI
 #define BOXCAR_SAT_EXACT_HLSLI
 
+#include "boxcar/float_pair.hlsli"
 #include "boxcar/sat.hlsli"
 #include "boxcar/sat_range.h"
 
@@ -102,6 +104,24 @@ float4 SATWideToFloat(SATWide a, int words, bool isSigned)
     return (1.0 - 2.0 * float4(negative)) * (4294967296.0 * float4(magnitude.high) + float4(magnitude.low));
 }
 
+// SATWideToPair: exact below 2^48, else rounded to 48 bits.
+//
+//   isSigned  two's complement
+FloatPair SATWideToPair(SATWide a, int words, bool isSigned)
+{
+    bool4 isNegative = int4(words == 1 ? a.low : a.high) < 0;
+    uint4 negative = isSigned ? uint4(isNegative) : uint4(0u, 0u, 0u, 0u);
+    SATWide flipped = SATWideOf(a.low ^ (0u - negative), a.high ^ (0u - negative));
+    SATWide magnitude = SATWideAdd(flipped, SATWideOf(negative, uint4(0u, 0u, 0u, 0u)));
+    float4 sign = 1.0 - 2.0 * float4(negative);
+    FloatPair pair = FloatPairOrdered(sign * 65536.0 * float4(magnitude.low >> 16),
+                                      sign * float4(magnitude.low & 0xffffu));
+    if (words == 2)
+        pair = FloatPairAdd(FloatPairOrdered(sign * 281474976710656.0 * float4(magnitude.high >> 16),
+                                             sign * 4294967296.0 * float4(magnitude.high & 0xffffu)), pair);
+    return pair;
+}
+
 // SATWideFromFloat: the nearest whole number; 0 <= value < 2^64. With one word: below 2^32.
 //
 // Error: none beyond rounding: floats over 2^24 are whole numbers already.
@@ -165,35 +185,59 @@ struct SATStretches
     float3 weight;  // how much of each counts
 };
 
-SATStretches SATStretchesOf(float lo, float hi)
+// SATStretchesOf: of [base + lo, base + hi).
+//
+//   baseTexels  a whole number near the box: small numbers keep their digits
+SATStretches SATStretchesOf(int baseTexels, float lo, float hi)
 {
     int first = int(floor(lo));
     int last = int(floor(hi));
     bool isOneTexel = last <= first;
     SATStretches s;
-    s.corner = int4(first, first + 1, isOneTexel ? first + 1 : last, last + 1);
+    s.corner = baseTexels + int4(first, first + 1, isOneTexel ? first + 1 : last, last + 1);
     s.weight = isOneTexel ? float3(hi - lo, 0.0, 0.0) : float3(1.0 - (lo - first), 1.0, hi - last);
     return s;
 }
 
-// SATSumBox: the sum of the codes over a box, weighted by coverage where an edge cuts a texel.
+// SATClipBoxNear: SATClipBox of a box in edge coordinates that are counted from `baseTexels`. Where the image goes on
+// (REPEAT, MIRROR) it is the box itself: integers need not be small.
+SATBox SATClipBoxNear(SATFrame frame, int2 baseTexels, SATBox box)
+{
+    if (frame.edge >= SAT_EDGE_REPEAT)
+        return box;
+    SATBox inside;
+    inside.loTexels = clamp(box.loTexels, float2(-baseTexels), float2(frame.extentTexels - baseTexels));
+    inside.hiTexels = clamp(box.hiTexels, float2(-baseTexels), float2(frame.extentTexels - baseTexels));
+    return inside;
+}
+
+// SATBoxAreaPair: area of a box, in every lane.
+FloatPair SATBoxAreaPair(SATBox box)
+{
+    FloatPair size = FloatPairSum(float4(box.hiTexels, 0.0, 0.0), float4(-box.loTexels, 0.0, 0.0));
+    return FloatPairMul(FloatPairOf(size.high.xxxx, size.low.xxxx), FloatPairOf(size.high.yyyy, size.low.yyyy));
+}
+
+// SATSumBoxPair: the sum of the codes over a box, weighted by coverage where an edge cuts a texel.
 //
-//   table    the integers' table, origin (0, 0)
-//   frame   how it lies over the image
-//   box      from SATClipBox
-//   returns  sum per channel, in codes x texels
+//   table       the integers' table, origin (0, 0)
+//   frame       how it lies over the image
+//   baseTexels  where the box's coordinates are counted from: a texel near it, so that its edges keep their digits far
+//               from the image's corner
+//   box         from SATClipBoxNear
+//   returns     sum per channel, in codes x texels
 //
 // Range:  as long as the whole texels' sum fits into the words (SATBoxIsExact); else it is wrong.
-// Error:  with whole edges, that of the last conversion: 0 below 2^24, else one rounding to float (two for two words).
-//         With others, 8 u of the sum: that of the nine weighted sums.
+// Error:  2^-44 of the sum of magnitudes (ExactFilter.MeansAreRightToTheLastBit); 0 with whole edges and sums below
+//         2^48.
 // Cost:   16 loads a word; 64 where the image is repeated and the box lies outside.
-float4 SATSumBox(SATExactTable table, SATFrame frame, SATBox box)
+FloatPair SATSumBoxPair(SATExactTable table, SATFrame frame, int2 baseTexels, SATBox box)
 {
-    SATStretches x = SATStretchesOf(box.loTexels.x, box.hiTexels.x);
-    SATStretches y = SATStretchesOf(box.loTexels.y, box.hiTexels.y);
+    SATStretches x = SATStretchesOf(baseTexels.x, box.loTexels.x, box.hiTexels.x);
+    SATStretches y = SATStretchesOf(baseTexels.y, box.loTexels.y, box.hiTexels.y);
     SATWide zero = SATWideOf(uint4(0u, 0u, 0u, 0u), uint4(0u, 0u, 0u, 0u));
     SATWide above[4] = { zero, zero, zero, zero };
-    float4 sum = (float4)0;
+    FloatPair sum = FloatPairOf((float4)0, (float4)0);
     // Loops that stay loops: drivers are slow to compile sixteen copies of a corner.
     [loop]
     for (int row = 0; row < 4; row++)
@@ -205,13 +249,26 @@ float4 SATSumBox(SATExactTable table, SATFrame frame, SATBox box)
             SATWide corner = SATLoadCorner(table, frame, int2(x.corner[column], y.corner[row]));
             SATWide strip = SATWideSub(corner, left);  // of column - 1
             if (row > 0 && column > 0)
-                sum += (x.weight[column - 1] * y.weight[row - 1])
-                     * SATWideToFloat(SATWideSub(strip, above[column]), table.words, table.isSigned);
+            {
+                FloatPair weight = FloatPairProduct((float4)x.weight[column - 1], (float4)y.weight[row - 1]);
+                FloatPair part = SATWideToPair(SATWideSub(strip, above[column]), table.words, table.isSigned);
+                sum = FloatPairAdd(sum, FloatPairMul(weight, part));
+            }
             above[column] = strip;
             left = corner;
         }
     }
     return sum;
+}
+
+// SATSumBox: SATSumBoxPair in plain edge coordinates, rounded to float.
+//
+//   box      from SATClipBox
+//
+// Error:  of the box's own edges, which are floats; beyond that u of the sum.
+float4 SATSumBox(SATExactTable table, SATFrame frame, SATBox box)
+{
+    return FloatPairToFloat(SATSumBoxPair(table, frame, int2(0, 0), box));
 }
 
 #endif

@@ -8,7 +8,7 @@
 // Tables of floats have no digits left for this; integers modulo 2^32 or 2^64 do it exactly (sat_exact.hlsli).
 //
 //   SATSumWhole      whole W on whole texels: (n + 1)^2 loads a word, exact
-//   SATSumOrder      any W about any point, n = 2, 3: 121 and 361 loads a word
+//   SATSumOrder      any W about any point, n = 2, 3: 121 and 361 loads a word; to 40 bits (float_pair.hlsli)
 //   SATMassFull, SATMassWhole, SATMassOrder    what the kernel's weights add up to on one axis, inside the image
 //
 // A whole W that SATSumWhole can take is the box of W texels taken n times over texels. SATSumOrder is the integral of
@@ -93,111 +93,134 @@ SATWide SATSumWhole(SATExactTable table, int2 extentTexels, int order, int2 texe
 }
 
 // SATMassFull: what a kernel's weights add up to on one axis when all of it is inside: widthTexels^order.
-float SATMassFull(int order, float widthTexels)
+FloatPair SATMassFull(int order, float widthTexels)
 {
-    float square = widthTexels * widthTexels;
-    return order == 1 ? widthTexels : order == 2 ? square : square * widthTexels;
+    FloatPair width = FloatPairSplat(widthTexels);
+    FloatPair mass = width;
+    for (int n = 1; n < order; n++)
+        mass = FloatPairMul(mass, width);
+    return mass;
+}
+
+// SATTetrahedral: r (r + 1) (r + 2) / 6, the sum of the first r triangular numbers.
+FloatPair SATTetrahedral(float r)
+{
+    FloatPair product = FloatPairMul(FloatPairProduct((float4)r, (float4)(r + 1.0)), FloatPairSplat(r + 2.0));
+    return FloatPairDiv(product, FloatPairSplat(6.0));
 }
 
 // SATWholeSide: what the first `texels` weights of a whole kernel on one side of its middle add up to, the middle itself
 // left out. Sums of positive numbers only: where a kernel is much wider than the image, the difference of two of its
 // totals would have no digits left.
-float SATWholeSide(int order, int widthTexels, int texels)
+FloatPair SATWholeSide(int order, int widthTexels, int texels)
 {
     float w = widthTexels;
     float n = min(texels, order * (widthTexels - 1) / 2);
     if (order == 1)
-        return n;
+        return FloatPairSplat(n);
     if (order == 2)
-        return n * w - 0.5 * n * (n + 1.0);
+        return FloatPairProduct((float4)(0.5 * n), (float4)(2.0 * w - n - 1.0));
+    // Weights 3/4 w^2 + 1/4 - i^2 up to (w - 1) / 2 from the middle; r (r + 1) / 2 beyond it, r falling to 1.
     float inner = min(n, 0.5 * (w - 1.0));
-    float sum = inner * (0.75 * w * w + 0.25) - inner * (inner + 1.0) * (2.0 * inner + 1.0) / 6.0;
-    float outer = 1.5 * (w - 1.0) - inner;  // weights outside of the inner ones: r (r + 1) / 2, r falling to 1
+    float outer = 1.5 * (w - 1.0) - inner;
     float rest = 1.5 * (w - 1.0) - n;
-    return sum + (outer * (outer + 1.0) * (outer + 2.0) - rest * (rest + 1.0) * (rest + 2.0)) / 6.0;
+    FloatPair peak = FloatPairAdd(FloatPairProduct((float4)(0.75 * w), (float4)w), FloatPairSplat(0.25));
+    FloatPair squares = FloatPairMul(FloatPairProduct((float4)inner, (float4)(inner + 1.0)), FloatPairSplat(2.0 * inner + 1.0));
+    FloatPair sum = FloatPairSub(FloatPairMul(FloatPairSplat(inner), peak), FloatPairDiv(squares, FloatPairSplat(6.0)));
+    return FloatPairAdd(sum, FloatPairSub(SATTetrahedral(outer), SATTetrahedral(rest)));
 }
 
 // SATMassWhole: what the weights of SATSumWhole add up to inside the image, on one axis. `texel` is inside.
-float SATMassWhole(int order, int texel, int widthTexels, int sizeTexels)
+FloatPair SATMassWhole(int order, int texel, int widthTexels, int sizeTexels)
 {
     float w = widthTexels;
-    float middle = order == 1 ? 1.0 : order == 2 ? w : 0.75 * w * w + 0.25;
-    return middle + SATWholeSide(order, widthTexels, texel) + SATWholeSide(order, widthTexels, sizeTexels - 1 - texel);
+    FloatPair middle = FloatPairSplat(order == 1 ? 1.0 : w);
+    if (order == 3)
+        middle = FloatPairAdd(FloatPairProduct((float4)(0.75 * w), (float4)w), FloatPairSplat(0.25));
+    return FloatPairAdd(middle, FloatPairAdd(SATWholeSide(order, widthTexels, texel),
+                                             SATWholeSide(order, widthTexels, sizeTexels - 1 - texel)));
 }
 
-// SATKernelSide: the integral of the kernel of order n, of boxes of width 1 about 0, from 0 to t.
-float SATKernelSide(int order, float t)
+// SATKernelSide: the integral of the kernel of order n, of boxes of width 1 about 0, from 0 to t, t not negative.
+FloatPair SATKernelSide(int order, FloatPair t)
 {
-    float u = abs(t);
-    float side;
+    float u = t.high.x;
+    FloatPair half = FloatPairSplat(0.5);
+    if (u >= 0.5 * order)
+        return half;
+    FloatPair square = FloatPairMul(t, t);
     if (order == 1)
-        side = min(u, 0.5);
-    else if (order == 2)
-        side = u < 1.0 ? u - 0.5 * u * u : 0.5;
-    else if (u < 0.5)
-        side = u * (0.75 - u * u / 3.0);
-    else
-        side = u < 1.5 ? 0.5 - (1.5 - u) * (1.5 - u) * (1.5 - u) / 6.0 : 0.5;
-    return t < 0.0 ? -side : side;
+        return t;
+    if (order == 2)
+        return FloatPairSub(t, FloatPairMul(half, square));
+    if (u < 0.5)
+        return FloatPairMul(t, FloatPairSub(FloatPairSplat(0.75), FloatPairDiv(square, FloatPairSplat(3.0))));
+    FloatPair rest = FloatPairSub(FloatPairSplat(1.5), t);
+    FloatPair cube = FloatPairMul(FloatPairMul(rest, rest), rest);
+    return FloatPairSub(half, FloatPairDiv(cube, FloatPairSplat(6.0)));
 }
 
 // SATMassOrder: what the kernel of SATSumOrder adds up to inside the image, on one axis; order 1 to 3. Without
-// cancellation where the centre is inside.
-float SATMassOrder(int order, float centreTexels, float widthTexels, int sizeTexels)
+// cancellation.
+//
+//   beforeTexels, afterTexels  from the kernel's centre to either end of the image; not negative
+FloatPair SATMassOrder(int order, float widthTexels, float beforeTexels, float afterTexels)
 {
-    return SATMassFull(order, widthTexels) * (SATKernelSide(order, (sizeTexels - centreTexels) / widthTexels)
-                                            + SATKernelSide(order, centreTexels / widthTexels));
+    FloatPair width = FloatPairSplat(widthTexels);
+    FloatPair before = SATKernelSide(order, FloatPairDiv(FloatPairSplat(beforeTexels), width));
+    FloatPair after = SATKernelSide(order, FloatPairDiv(FloatPairSplat(afterTexels), width));
+    return FloatPairMul(SATMassFull(order, widthTexels), FloatPairAdd(before, after));
 }
 
-// The entries of an axis that a kernel of order n reads, and what each counts: at its n + 1 knots, n + 1 entries each,
-// weighted by the B-spline of degree n.
-struct SATKnots
-{
-    int order;
-    int base;        // an entry next to the kernel's middle: all others are taken relative to it
-    float centre;    // of the kernel, in texels from `origin`
-    int origin;      // a whole texel near it: small numbers keep their digits
-    float width;
-};
-
-SATKnots SATKnotsOf(int order, float centreTexels, float widthTexels)
-{
-    SATKnots k;
-    k.order = order;
-    k.origin = int(floor(centreTexels));
-    k.centre = centreTexels - k.origin;
-    k.width = widthTexels;
-    // The knot at the middle of a tent, and the one left of the middle of a parabolic filter.
-    k.base = k.origin + int(floor(k.centre - (order == 2 ? 0.0 : 0.5 * widthTexels))) - 1;
-    return k;
-}
-
-// One of them.
+// One of the n + 1 knots of a kernel of order n on an axis, and the n + 1 entries there that it reads, weighted by the
+// B-spline of degree n.
 struct SATKnot
 {
-    int entry;
-    float weight;
-    int3 fromBase;  // what the base's entries make of it when they are continued (SATContinue)
+    int entry;         // the first of them
+    FloatPair weight;  // of each, one a lane
 };
 
-// SATKnotOf: number t of an axis: the base's entries for 0 <= t < order, then the (order + 1)^2 that are weighted.
-SATKnot SATKnotOf(SATKnots k, int t)
+// SATKnotOf: knot number `index`, from the right.
+//
+//   centreTexels  of the kernel, from `baseTexels`
+SATKnot SATKnotOf(int order, int index, int baseTexels, float centreTexels, float widthTexels)
 {
-    int knot = (t - k.order) / (k.order + 1);
-    int i = t - k.order - knot * (k.order + 1);
-    float at = k.centre + (0.5 * k.order - knot) * k.width;
-    float f = at - floor(at);
-    float g = 1.0 - f;
-    float4 spline = k.order == 2
-        ? float4(0.5 * g * g, 0.5 + f * g, 0.5 * f * f, 0.0)
-        : float4(g * g * g / 6.0, (3.0 * f * f * f - 6.0 * f * f + 4.0) / 6.0,
-                 (3.0 * g * g * g - 6.0 * g * g + 4.0) / 6.0, f * f * f / 6.0);
-    bool isBase = t < k.order;
-    SATKnot r;
-    r.entry = isBase ? k.base - t : k.origin + int(floor(at)) - k.order + i;
-    r.weight = isBase ? 0.0 : spline[max(i, 0)] * SATBinomial(k.order, knot);
-    r.fromBase = SATContinue(k.order, r.entry - k.base);
-    return r;
+    float side = 0.5 * order - index;
+    FloatPair at = FloatPairAdd(FloatPairSplat(centreTexels), FloatPairProduct((float4)side, (float4)widthTexels));
+    float whole = floor(at.high.x);
+    if (at.high.x == whole && at.low.x < 0.0)
+        whole -= 1.0;
+    FloatPair f = FloatPairAdd(FloatPairSplat(-whole), at);
+    FloatPair g = FloatPairSub(FloatPairSplat(1.0), f);
+    FloatPair sign = FloatPairSplat(SATBinomial(order, index));
+    SATKnot knot;
+    knot.entry = baseTexels + int(whole) - order;
+    // g^2 / 2, 1/2 + f g, f^2 / 2
+    FloatPair left = FloatPairOf(float4(g.high.x, f.high.x, f.high.x, 0.0), float4(g.low.x, f.low.x, f.low.x, 0.0));
+    FloatPair right = FloatPairOf(float4(g.high.x, g.high.x, f.high.x, 0.0), float4(g.low.x, g.low.x, f.low.x, 0.0));
+    float4 share = float4(0.5, 1.0, 0.5, 0.0);
+    if (order == 3)
+    {
+        // g^3 / 6, (3 f^3 - 6 f^2 + 4) / 6, (3 g^3 - 6 g^2 + 4) / 6, f^3 / 6
+        FloatPair x = FloatPairOf(float4(g.high.x, f.high.x, g.high.x, f.high.x), float4(g.low.x, f.low.x, g.low.x, f.low.x));
+        left = FloatPairMul(x, x);
+        right = FloatPairSub(FloatPairMul(FloatPairOf(float4(1.0, 3.0, 3.0, 1.0), (float4)0), x),
+                             FloatPairOf(float4(0.0, 6.0, 6.0, 0.0), (float4)0));
+        share = (float4)1;
+    }
+    FloatPair product = FloatPairMul(FloatPairMul(left, right), FloatPairOf(share, (float4)0));
+    float4 constant = order == 2 ? float4(0.0, 0.5, 0.0, 0.0) : float4(0.0, 4.0, 4.0, 0.0);
+    FloatPair weight = FloatPairAdd(product, FloatPairOf(constant, (float4)0));
+    if (order == 3)
+        weight = FloatPairDiv(weight, FloatPairSplat(6.0));
+    knot.weight = FloatPairMul(sign, weight);
+    return knot;
+}
+
+// SATMiddleEntry: an entry next to a kernel's middle: the knot there of a tent, the one left of it of a parabolic filter.
+int SATMiddleEntry(int order, int baseTexels, float centreTexels, float widthTexels)
+{
+    return baseTexels + int(floor(centreTexels - (order == 2 ? 0.0 : 0.5 * widthTexels))) - 1;
 }
 
 // SATSumOrder: the sum of codes under a tent or a parabolic filter of any width about any point.
@@ -205,7 +228,8 @@ SATKnot SATKnotOf(SATKnots k, int t)
 //   table         of order n, of integers
 //   extentTexels  (W, H)
 //   order         2, 3
-//   centreTexels  in edge coordinates
+//   baseTexels    where the centre is counted from: a texel near it, so that it keeps its digits
+//   centreTexels  in edge coordinates from there
 //   sizeTexels    of the boxes that the kernel is made of; 1 at least
 //   returns       the integral of the image times the kernel times (w h)^n; the image is 0 outside
 //
@@ -214,54 +238,77 @@ SATKnot SATKnotOf(SATKnots k, int t)
 // negative: SATAxisMass bounds them.
 //
 // Range:  exact sums while SATBoxIsExact; else it is wrong.
-// Error:  1e-5 of the largest code's filtered value (SATOrder.TentAndParabolicAreTheAnalyticFilter).
+// Error:  2^-40 of the filtered magnitudes (ExactFilter.MeansAreRightToTheLastBit).
 // Cost:   121 loads a word (order 2), 361 (order 3); more at the right and bottom rim (SATLoadOrder).
-float4 SATSumOrder(SATExactTable table, int2 extentTexels, int order, float2 centreTexels, float2 sizeTexels)
+FloatPair SATSumOrder(SATExactTable table, int2 extentTexels, int order, int2 baseTexels, float2 centreTexels,
+                      float2 sizeTexels)
 {
-    SATKnots kx = SATKnotsOf(order, centreTexels.x, sizeTexels.x);
-    SATKnots ky = SATKnotsOf(order, centreTexels.y, sizeTexels.y);
+    SATKnot columns[4], rows[4];
+    [loop]
+    for (int k = 0; k <= order; k++)
+    {
+        columns[k] = SATKnotOf(order, k, baseTexels.x, centreTexels.x, sizeTexels.x);
+        rows[k] = SATKnotOf(order, k, baseTexels.y, centreTexels.y, sizeTexels.y);
+    }
+    int2 middle = int2(SATMiddleEntry(order, baseTexels.x, centreTexels.x, sizeTexels.x),
+                       SATMiddleEntry(order, baseTexels.y, centreTexels.y, sizeTexels.y));
     int last = order + (order + 1) * (order + 1);
 
-    // Columns and rows 0 .. order - 1 are those at the base, the others the kernel's. Of each row its entries at the base
-    // are kept, and of the rows at the base all that the kernel reads. Loops stay loops: drivers are slow to compile
-    // hundreds of copies.
-    SATWide baseRows[48];
-    SATWide baseColumn[3];
-    float4 sum = (float4)0;
+    // Columns and rows 0 .. order - 1 are those at the middle, the others the kernel's. Of each row its entries in the
+    // middle are kept, and of the rows in the middle all that the kernel reads. Loops stay loops: drivers are slow to
+    // compile hundreds of copies.
+    SATWide middleRows[48];
+    SATWide middleColumn[3];
+    FloatPair sum = FloatPairSplat(0.0);
     [loop]
     for (int y = 0; y < last; y++)
     {
-        SATKnot row = SATKnotOf(ky, y);
-        float4 rowSum = (float4)0;
+        bool isMiddleRow = y < order;
+        int rowIndex = max(y - order, 0);
+        int rowKnot = rowIndex / (order + 1), rowEntry = rowIndex - rowKnot * (order + 1);
+        int row = isMiddleRow ? middle.y - y : rows[rowKnot].entry + rowEntry;
+        int3 fromMiddleY = SATContinue(order, row - middle.y);
+        FloatPair rowSum = FloatPairSplat(0.0);
         [loop]
         for (int x = 0; x < last; x++)
         {
-            SATKnot column = SATKnotOf(kx, x);
-            SATWide entry = SATLoadOrder(table, extentTexels, order, int2(column.entry, row.entry));
-            if (x < order)
+            bool isMiddleColumn = x < order;
+            int columnIndex = max(x - order, 0);
+            int columnKnot = columnIndex / (order + 1), columnEntry = columnIndex - columnKnot * (order + 1);
+            int column = isMiddleColumn ? middle.x - x : columns[columnKnot].entry + columnEntry;
+            SATWide entry = SATLoadOrder(table, extentTexels, order, int2(column, row));
+            if (isMiddleColumn)
             {
-                baseColumn[x] = entry;
+                middleColumn[x] = entry;
             }
             else
             {
-                int first = order * (x - order);
+                int3 fromMiddleX = SATContinue(order, column - middle.x);
+                int first = order * columnIndex;
                 [unroll(3)]
                 for (int i = 0; i < order; i++)
-                    entry = SATWideSub(entry, SATWideScale(baseColumn[i], column.fromBase[i]));
-                if (y < order)
+                    entry = SATWideSub(entry, SATWideScale(middleColumn[i], fromMiddleX[i]));
+                if (isMiddleRow)
                 {
-                    baseRows[first + y] = entry;
+                    middleRows[first + y] = entry;
                 }
                 else
                 {
                     [unroll(3)]
                     for (int j = 0; j < order; j++)
-                        entry = SATWideSub(entry, SATWideScale(baseRows[first + j], row.fromBase[j]));
-                    rowSum += column.weight * SATWideToFloat(entry, table.words, true);
+                        entry = SATWideSub(entry, SATWideScale(middleRows[first + j], fromMiddleY[j]));
+                    FloatPair weight = FloatPairOf((float4)columns[columnKnot].weight.high[columnEntry],
+                                                   (float4)columns[columnKnot].weight.low[columnEntry]);
+                    rowSum = FloatPairAdd(rowSum, FloatPairMul(weight, SATWideToPair(entry, table.words, true)));
                 }
             }
         }
-        sum += row.weight * rowSum;
+        if (!isMiddleRow)
+        {
+            FloatPair weight = FloatPairOf((float4)rows[rowKnot].weight.high[rowEntry],
+                                           (float4)rows[rowKnot].weight.low[rowEntry]);
+            sum = FloatPairAdd(sum, FloatPairMul(weight, rowSum));
+        }
     }
     return sum;
 }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "hlsl/boxcar/sat_range.h"
 #include "samples/files/color.h"
 
 namespace boxcar {
@@ -16,6 +18,10 @@ double LargestCode(SampleType stored) {
     return stored == SampleType::Unorm8 ? 255 : 65535;
 }
 
+bool IsLight(const Picture& picture, Transfer transfer) {
+    return transfer == Transfer::Srgb && picture.stored != SampleType::Float32;
+}
+
 // Linear light of every code.
 std::vector<double> LightOfCodes(SampleType stored) {
     const double largest = LargestCode(stored);
@@ -25,13 +31,81 @@ std::vector<double> LightOfCodes(SampleType stored) {
     return light;
 }
 
+// What the first `rounds` rounds leave over of a value, in units.
+double LeftOver(double value, const std::vector<SATCodes>& codes, size_t rounds) {
+    for (size_t i = 0; i < rounds; i++)
+        value -= std::round(value * codes[i].scale) / codes[i].scale;
+    return value;
+}
+
+// The values of a picture as far as a plan needs to know them.
+struct Values {
+    double largest = 0;
+    double smallest = std::numeric_limits<double>::infinity();  // that is not 0
+    bool isSigned = false;
+};
+
+Values ValuesOf(const Picture& picture, Transfer transfer) {
+    if (picture.stored != SampleType::Float32) {
+        // The smallest light that the file can hold.
+        const double code = 1 / LargestCode(picture.stored);
+        const double light = IsLight(picture, transfer) ? SrgbToLinear(code) : code;
+        return {1, HasAlpha(picture) && IsLight(picture, transfer) ? light * code : light, false};
+    }
+    Values values;
+    for (const float sample : picture.samples) {
+        const double magnitude = std::abs(static_cast<double>(sample));
+        values.largest = std::max(values.largest, magnitude);
+        if (magnitude > 0) values.smallest = std::min(values.smallest, magnitude);
+        values.isSigned |= sample < 0;
+    }
+    return values;
+}
+
+// How far a code may be from its value: for floats from the smallest value.
+double Tolerance(const Picture& picture, const Values& values, SampleType result) {
+    constexpr double kSteepestSrgb = 12.92;
+    constexpr double kShareOfCode = 0.005;
+    if (picture.stored == SampleType::Float32 || result == SampleType::Float32)
+        return std::ldexp(std::max(values.smallest, std::ldexp(values.largest, -64)), -20);
+    const double alpha = HasAlpha(picture) ? 1 / LargestCode(picture.stored) : 1;
+    return kShareOfCode / (kSteepestSrgb * LargestCode(result)) * alpha;
+}
+
+// The most a code is from its value after `codes`, less what is allowed; at most 0 where that is enough.
+bool IsFineEnough(const Picture& picture, const std::vector<SATCodes>& codes, double unit, double largest,
+                  double tolerance) {
+    if (0.5 / codes.back().scale * unit <= tolerance) return true;
+    if (picture.stored != SampleType::Float32) return false;
+    const double floor = std::ldexp(largest, -64);
+    return std::ranges::all_of(picture.samples, [&](float sample) {
+        const double allowed = std::ldexp(std::max(std::abs(static_cast<double>(sample)), floor), -20);
+        return std::abs(LeftOver(sample / unit, codes, codes.size())) * unit <= allowed;
+    });
+}
+
+bool Holds(SATPrecision precision, const KernelSize& kernel, const SATCodes& codes) {
+    return SATBoxIsExact(kernel.sizeTexels, static_cast<int>(kernel.order), kernel.isWhole,
+                         SATLargestMass(precision, codes));
+}
+
+// The finest codes of values up to `largest` that the words hold; a scale below 1 / largest says that there are none.
+SATCodes FinestCodes(SATPrecision precision, const KernelSize& kernel, double largest, bool isSigned) {
+    SATCodes codes;
+    double scale = std::ldexp(1.0, 62);
+    do {
+        scale /= 2;
+        codes = {static_cast<float>(scale), std::ceil(largest * scale) + 1, isSigned};
+    } while (scale * largest >= 1 && !Holds(precision, kernel, codes));
+    return codes;
+}
+
 }  // namespace
 
-SATCodes CodesFor(const Picture& picture, const std::string& name, Transfer transfer, SATPrecision precision,
-                  Rounding rounding) {
+CodePlan NamedCodes(const Picture& picture, const std::string& name, Transfer transfer, SATPrecision precision) {
     if (picture.stored != SampleType::Float32) {
-        const double largest = transfer == Transfer::Srgb ? kLinearLargest : LargestCode(picture.stored);
-        return {static_cast<float>(largest), largest, false};
+        const double largest = IsLight(picture, transfer) ? kLinearLargest : LargestCode(picture.stored);
+        return {precision, {{static_cast<float>(largest), largest, false}}};
     }
     if (precision == SATPrecision::U32)
         throw Error("{}: u32 sums 8 and 16-bit pictures; a float picture takes u64 or fp32", name);
@@ -45,52 +119,111 @@ SATCodes CodesFor(const Picture& picture, const std::string& name, Transfer tran
         };
         if (std::abs(code) >= kHalfLimit)
             refuse("is beyond half floats; u64 sums values below 65536, fp32 takes any");
-        if (rounding == Rounding::Refuse && code != picture.samples[i] * kHalfScale)
-            refuse("is no half float; u64 sums half floats exactly, fp32 takes any");
+        if (code != picture.samples[i] * kHalfScale)
+            refuse("is not a half float; u64 sums half floats exactly, fp32 takes any");
         codes.largest = std::max(codes.largest, std::abs(code));
         codes.isSigned |= code < 0;
     }
-    return codes;
+    return {precision, {codes}};
 }
 
-CodeWords EncodeRows(const Picture& picture, Transfer transfer, SATPrecision precision, uint32_t firstRow,
-                     uint32_t rows) {
-    const size_t channels = picture.channels;
-    const size_t texels = size_t{rows} * picture.widthTexels;
-    const bool isFloat = picture.stored == SampleType::Float32;
-    const bool isLight = transfer == Transfer::Srgb && !isFloat;
-    const double scale = isFloat ? kHalfScale : LargestCode(picture.stored);
-    const std::vector<double> light = isLight ? LightOfCodes(picture.stored) : std::vector<double>();
-    const float* sample = picture.samples.data() + channels * firstRow * picture.widthTexels;
+CodePlan FittingCodes(const Picture& picture, const std::string& name, Transfer transfer, SampleType result,
+                      const KernelSize& kernel) {
+    if (picture.stored != SampleType::Float32 && transfer == Transfer::Raw) {
+        for (const SATPrecision precision : {SATPrecision::U32, SATPrecision::U64}) {
+            const CodePlan own = NamedCodes(picture, name, transfer, precision);
+            if (Holds(precision, kernel, own.rounds[0])) return own;
+        }
+    }
+    const Values values = ValuesOf(picture, transfer);
+    const double tolerance = Tolerance(picture, values, result);
+    CodePlan plan;
+    if (values.largest > 0) plan.unit = std::ldexp(1.0, std::ilogb(values.largest) + 1);
+    double largest = std::max(values.largest, 0x1p-149) / plan.unit;
+    if (picture.stored != SampleType::Float32) {
+        plan.unit = largest = 1;
+        plan.rounds = {FinestCodes(SATPrecision::U32, kernel, 1, false)};
+        if (IsFineEnough(picture, plan.rounds, 1, 1, tolerance)) return plan;
+        plan.rounds.clear();
+    }
+    plan.precision = SATPrecision::U64;
+    do {
+        const bool isSigned = values.isSigned || !plan.rounds.empty();
+        plan.rounds.push_back(FinestCodes(SATPrecision::U64, kernel, largest, isSigned));
+        const SATCodes& codes = plan.rounds.back();
+        if (largest * codes.scale < 8) {
+            const uint32_t side =
+                SATLargestWidthTexels(SATPrecision::U64, {1, 9, isSigned}, kernel.order, kernel.isWhole);
+            throw Error(
+                "{}: a kernel of boxes of {:g} x {:g} texels has sums that 64 bits do not hold; {} x {} is possible",
+                name, kernel.sizeTexels.x, kernel.sizeTexels.y, side, side);
+        }
+        largest = 0.5 / codes.scale;
+    } while (!IsFineEnough(picture, plan.rounds, plan.unit, values.largest, tolerance));
+    return plan;
+}
+
+void AddPlan(Stats& stats, const CodePlan& plan, uint64_t tableBytes) {
+    stats.precision = SATPrecisionName(plan.precision);
+    stats.step = plan.Step();
+    stats.rounds = plan.rounds.size();
+    stats.tableBytes = tableBytes;
+}
+
+CodedPicture::CodedPicture(const Picture& picture, Transfer transfer, CodePlan plan)
+    : m_picture(picture), m_plan(std::move(plan)) {
+    if (IsLight(picture, transfer)) m_light = LightOfCodes(picture.stored);
+}
+
+CodeWords CodedPicture::Rows(size_t round, uint32_t firstRow, uint32_t rows) const {
+    const size_t channels = m_picture.channels;
+    const size_t texels = size_t{rows} * m_picture.widthTexels;
+    const bool isFloat = m_picture.stored == SampleType::Float32;
+    const double largest = isFloat ? 1 : LargestCode(m_picture.stored);
+    const bool hasAlpha = HasAlpha(m_picture);
+    const bool isWide = m_plan.precision == SATPrecision::U64;
+    const float* sample = m_picture.samples.data() + channels * firstRow * m_picture.widthTexels;
+    const auto codeOf = [&](double value) {
+        value = LeftOver(value, m_plan.rounds, round);
+        return static_cast<uint64_t>(static_cast<int64_t>(std::round(value * m_plan.rounds[round].scale)));
+    };
+    // Of opaque 8 and 16-bit pictures, of every code once.
+    std::vector<uint64_t> codes;
+    if (!isFloat && (m_light.empty() || !hasAlpha)) {
+        codes.resize(static_cast<size_t>(largest) + 1);
+        for (size_t i = 0; i < codes.size(); i++)
+            codes[i] = codeOf(m_light.empty() ? static_cast<double>(i) / largest : m_light[i]);
+    }
 
     CodeWords words;
     words.low.assign(texels, glm::uvec4(0));
-    if (precision == SATPrecision::U64) words.high.assign(texels, glm::uvec4(0));
+    if (isWide) words.high.assign(texels, glm::uvec4(0));
     for (size_t i = 0; i < texels; i++, sample += channels) {
         // From whole codes: the sample itself has been rounded to float.
-        const double alpha = HasAlpha(picture) ? std::round(sample[channels - 1] * scale) / scale : 1.0;
+        const auto whole = [&](size_t c) { return static_cast<size_t>(std::lrint(sample[c] * largest)); };
+        const double alpha = !isFloat && hasAlpha ? static_cast<double>(whole(channels - 1)) / largest : 1;
         for (size_t c = 0; c < channels; c++) {
-            const bool isAlpha = HasAlpha(picture) && c + 1 == channels;
-            double code = std::round(sample[c] * scale);
-            if (isLight)
-                code = std::round(kLinearLargest * (isAlpha ? alpha : light[static_cast<size_t>(code)] * alpha));
-            const auto bits = static_cast<uint64_t>(static_cast<int64_t>(code));
+            uint64_t bits;
+            if (isFloat)
+                bits = codeOf(sample[c] / m_plan.unit);
+            else if (!codes.empty())
+                bits = codes[whole(c)];
+            else
+                bits = codeOf(c + 1 == channels ? alpha : m_light[whole(c)] * alpha);
             words.low[i][static_cast<int>(c)] = static_cast<uint32_t>(bits);
-            if (precision == SATPrecision::U64)
-                words.high[i][static_cast<int>(c)] = static_cast<uint32_t>(bits >> 32);
+            if (isWide) words.high[i][static_cast<int>(c)] = static_cast<uint32_t>(bits >> 32);
         }
     }
     return words;
 }
 
-UploadedWords UploadCodes(Device& device, const Picture& picture, Transfer transfer, SATPrecision precision,
-                          uint32_t firstRow, uint32_t rows) {
-    const Extent2D extent{picture.widthTexels, rows};
-    const CodeWords codes = EncodeRows(picture, transfer, precision, firstRow, rows);
+UploadedWords CodedPicture::Upload(Device& device, size_t round, uint32_t firstRow, uint32_t rows) const {
+    const Extent2D extent{m_picture.widthTexels, rows};
+    const CodeWords codes = Rows(round, firstRow, rows);
     UploadedWords words;
-    words.images.push_back(Upload(device, extent, std::span(codes.low), "source"));
-    if (precision == SATPrecision::U64)
-        words.images.push_back(Upload(device, extent, std::span(codes.high), "source, upper words"));
+    words.images.push_back(boxcar::Upload(device, extent, std::span(codes.low), "source"));
+    if (!codes.high.empty())
+        words.images.push_back(boxcar::Upload(device, extent, std::span(codes.high), "source, upper words"));
     return words;
 }
 

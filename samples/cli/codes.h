@@ -1,8 +1,14 @@
-// Pictures as the whole numbers that an exact table sums.
+// Pictures as the whole numbers that exact tables sum.
+//
+// Asked for by name (--precision u32, u64), codes are what the manual says:
 //
 //   8 and 16-bit files, raw   their own codes, 0..255 or 0..65535
-//   8 and 16-bit files, srgb  linear light, colours times alpha, as round(65535 v)
-//   float files               v 2^24 in two words: every half float is a multiple of 2^-24; others are rounded to one
+//   8 and 16-bit files        linear light, colors times alpha, as round(65535 v)
+//   float files               v 2^24 in two words: every half float is a multiple of 2^-24
+//
+// Otherwise they are as fine as the result needs: the file's own codes under raw; else round(v scale), the scale a
+// power of two that the words hold under the kernel. Where one such number is too coarse for the smallest values,
+// what it leaves over is filtered too, and the results are added: filters are linear.
 #pragma once
 
 #include <glm/ext/vector_uint4.hpp>
@@ -11,16 +17,44 @@
 #include "runtime/passes/sat_filter.h"
 #include "samples/cli/device_run.h"
 #include "samples/cli/options.h"
+#include "samples/cli/stats.h"
 #include "samples/files/picture.h"
 
 namespace boxcar {
 
-enum class Rounding { Refuse, Allow };
+// The widest kernel to come.
+struct KernelSize {
+    glm::vec2 sizeTexels{1};  // of the boxes that it is made of
+    uint32_t order = 1;
+    bool isWhole = false;  // SATIsWhole, and one width everywhere
+};
 
-// What the codes of a picture stand for. Throws Error, which begins with `name`: a float picture for U32; a sample of
-// 65536 or more; with Rounding::Refuse a sample that is no multiple of 2^-24.
-SATCodes CodesFor(const Picture& picture, const std::string& name, Transfer transfer, SATPrecision precision,
-                  Rounding rounding = Rounding::Refuse);
+// How the values of a picture are summed.
+struct CodePlan {
+    SATPrecision precision = SATPrecision::U32;
+    std::vector<SATCodes> rounds = {};  // the first of the picture, the others of what the ones before leave over
+    double unit = 1;                    // values are divided by it before they become codes, results multiplied
+
+    // What the last round's codes are whole multiples of, in the picture's values.
+    double Step() const { return unit / rounds.back().scale; }
+};
+
+// The codes of a precision asked for by name. Throws Error, which begins with `name`: a float picture for U32; a
+// sample of 65536 or more, or one that is not a multiple of 2^-24.
+CodePlan NamedCodes(const Picture& picture, const std::string& name, Transfer transfer, SATPrecision precision);
+
+// The codes that keep a filtered picture right: U32 where it holds them, else U64, in as many rounds as it takes.
+//
+//   result  the samples of the file to write. Integers: the codes' own rounding moves no sample by more than 0.005 of
+//           its codes. Floats: each value is kept within 2^-20 of itself; values 2^-64 times the largest and below,
+//           within 2^-84 of the largest.
+//
+// Throws Error, which begins with `name`: a kernel so wide that 64 bits do not hold 4 bits of each texel.
+CodePlan FittingCodes(const Picture& picture, const std::string& name, Transfer transfer, SampleType result,
+                      const KernelSize& kernel);
+
+// Says in `stats` how a result was summed.
+void AddPlan(Stats& stats, const CodePlan& plan, uint64_t tableBytes);
 
 // RGBA; channels that the picture does not have are 0. Two's complement.
 struct CodeWords {
@@ -28,12 +62,23 @@ struct CodeWords {
     std::vector<glm::uvec4> high;  // empty for U32
 };
 
-// The codes of rows [firstRow, firstRow + rows), from the top.
-CodeWords EncodeRows(const Picture& picture, Transfer transfer, SATPrecision precision, uint32_t firstRow,
-                     uint32_t rows);
+// A picture as codes, any rows of it.
+class CodedPicture {
+public:
+    CodedPicture(const Picture& picture, Transfer transfer, CodePlan plan);
 
-// The same on the device.
-UploadedWords UploadCodes(Device& device, const Picture& picture, Transfer transfer, SATPrecision precision,
-                          uint32_t firstRow, uint32_t rows);
+    const CodePlan& Plan() const { return m_plan; }
+
+    // The codes of rows [firstRow, firstRow + rows), from the top.
+    CodeWords Rows(size_t round, uint32_t firstRow, uint32_t rows) const;
+
+    // The same on the device.
+    UploadedWords Upload(Device& device, size_t round, uint32_t firstRow, uint32_t rows) const;
+
+private:
+    const Picture& m_picture;
+    CodePlan m_plan;
+    std::vector<double> m_light;  // of every code of the file; empty where samples are summed as they are
+};
 
 }  // namespace boxcar

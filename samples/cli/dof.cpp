@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "samples/cli/batch.h"
-#include "samples/cli/codes.h"
 #include "samples/cli/device_run.h"
 #include "samples/cli/disparity.h"
+#include "samples/cli/focus_picture.h"
 #include "samples/cli/light.h"
 #include "samples/effects/layered_depth_of_field.h"
 
@@ -64,40 +64,8 @@ struct Photograph {
     float largestTexels;  // circle of confusion
 };
 
-struct Focused {
-    std::vector<glm::vec4> texels;
-    SATPrecision precision;
-    std::vector<PassTime> passes;
-};
-
-Focused FocusByOneTable(Device& device, const Photograph& photograph, const DofOptions& options) {
-    const auto& [picture, name, transfer, extent, depth, lens, largestTexels] = photograph;
-    DepthOfFieldDesc desc{.extent = extent,
-                          .taps = options.taps.Count(),
-                          .boxes = options.disc.Boxes(),
-                          .sides = options.disc.Sides(),
-                          .largestTexels = largestTexels};
-    UploadedWords words;
-    if (picture.stored == SampleType::Unorm8) {
-        // 16 bits of linear light are enough for 8 of sRGB, and are summed without a rounding.
-        desc.codes = CodesFor(picture, name, transfer, SATPrecision::U32);
-        desc.precision = SATExactPrecision(glm::vec2(desc.largestTexels), 1, false, desc.codes);
-        words = UploadCodes(device, picture, transfer, desc.precision, 0, extent.heightTexels);
-    } else {
-        desc.precision = SATPrecision::FP32;
-        desc.bias = picture.stored == SampleType::Float32 ? BlurBias::None : BlurBias::Mean;
-        words.images.push_back(
-            Upload(device, extent, std::span<const glm::vec4>(ToLight(picture, transfer)), "color"));
-    }
-    DepthOfField effect(device, desc);
-    const Image disparity = Upload(device, extent, std::span(depth), "disparity");
-    CommandList commands(device, CommandList::Timing::On);
-    const Image& result = effect.Record(commands, words, disparity, lens);
-    commands.SubmitAndWait();
-    return {Download<glm::vec4>(device, result), desc.precision, commands.PassTimes()};
-}
-
-Focused FocusByLayers(Device& device, const Photograph& photograph, const DofOptions& options) {
+std::vector<glm::vec4> FocusByLayers(Device& device, const Photograph& photograph, const DofOptions& options,
+                                     Stats& stats) {
     const auto& [picture, name, transfer, extent, depth, lens, largestTexels] = photograph;
     if (picture.channels == 2 || picture.channels == 4)
         throw Error("{}: {} channels; --method layered takes pictures without alpha", name, picture.channels);
@@ -119,13 +87,17 @@ Focused FocusByLayers(Device& device, const Photograph& photograph, const DofOpt
     CommandList commands(device, CommandList::Timing::On);
     const Image& result = effect.Record(commands, image, nullptr, lens, nearest, kLayersPerSide);
     commands.SubmitAndWait();
-    return {Download<glm::vec4>(device, result), effect.Precision(), commands.PassTimes()};
+    stats.precision = SATPrecisionName(effect.Precision());
+    stats.tableBytes = SummedAreaTableBytes(extent, effect.Precision());
+    stats.passes = commands.PassTimes();
+    stats.deviceBytes = device.MemoryBytes();
+    return Download<glm::vec4>(device, result);
 }
 
 Stats Focus(Device& device, const Job& job, const DofOptions& options) {
     const Picture picture = ReadForDevice(job.input, device, options.read);
     RequireWritable(job.output, job.format, picture.channels);
-    const Transfer transfer = TransferFor(picture, options.read);
+    const Transfer transfer = TransferOf(options.read);
     const Extent2D extent{picture.widthTexels, picture.heightTexels};
     std::vector<glm::vec4> depth = ReadDisparity(picture, device, options);
     float largestDifference = 0;
@@ -140,18 +112,17 @@ Stats Focus(Device& device, const Job& job, const DofOptions& options) {
                                 lens,
                                 std::clamp(lens.apertureTexels * largestDifference, 1.0f, kMaxSizeTexels)};
 
-    const Focused focused = options.method == "layered" ? FocusByLayers(device, photograph, options)
-                                                        : FocusByOneTable(device, photograph, options);
-    RequireFiniteSums(focused.texels, job.input);
     const SampleType sampleType = SampleTypeFor(job.format, picture.stored);
-    WritePicture(FromLight(focused.texels, picture, transfer, sampleType), job.output, job.format, sampleType);
-    return {.input = job.input,
-            .output = job.output,
-            .extent = extent,
-            .precision = SATPrecisionName(focused.precision),
-            .tableBytes = SummedAreaTableBytes(extent, focused.precision),
-            .passes = focused.passes,
-            .deviceBytes = device.MemoryBytes()};
+    Stats stats{.input = job.input, .output = job.output, .extent = extent};
+    const std::vector<glm::vec4> focused = options.method == "layered"
+                                               ? FocusByLayers(device, photograph, options, stats)
+                                               : FocusPicture(device, picture, job.input, transfer,
+                                                              {lens, photograph.largestTexels, options.disc.Boxes(),
+                                                               options.disc.Sides(), options.taps.Count()},
+                                                              photograph.depth, sampleType, stats);
+    RequireFiniteSums(focused, job.input);
+    WritePicture(FromLight(focused, picture, transfer, sampleType), job.output, job.format, sampleType);
+    return stats;
 }
 
 }  // namespace

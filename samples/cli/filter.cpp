@@ -7,12 +7,9 @@
 #include <glm/common.hpp>
 #include <memory>
 
-#include "samples/cli/bands.h"
 #include "samples/cli/batch.h"
-#include "samples/cli/codes.h"
-#include "samples/cli/device_run.h"
+#include "samples/cli/filter_picture.h"
 #include "samples/cli/light.h"
-#include "samples/effects/blur.h"
 
 namespace boxcar {
 namespace {
@@ -31,15 +28,6 @@ struct FilterOptions : BatchOptions {
     int bits = 0;
 };
 
-// What the command line asks for.
-struct Kernel {
-    uint32_t order = 1;
-    uint32_t boxes = 1;
-    uint32_t sides = 0;
-    glm::vec2 minTexels{1};  // of the box that it is made of; the same twice without a map
-    glm::vec2 maxTexels{1};
-};
-
 SATEdge EdgeOf(const FilterOptions& options) {
     const std::string& word = options.edgeWord;
     return word == "clip"     ? SATEdge::Clip
@@ -48,8 +36,12 @@ SATEdge EdgeOf(const FilterOptions& options) {
                               : SATEdge::Mirror;
 }
 
-Kernel ParseKernel(const FilterOptions& options) {
-    Kernel kernel;
+FilterRequest ParseRequest(const FilterOptions& options) {
+    FilterRequest kernel{.edge = EdgeOf(options),
+                         .taps = options.taps.Count(),
+                         .precision = PrecisionOf(options.table),
+                         .bias = BiasOf(options.table),
+                         .origin = OriginOf(options.table)};
     float factor = 1;
     if (options.shapeWord == "tent") kernel.order = 2;
     if (options.shapeWord == "parabolic") kernel.order = 3;
@@ -93,25 +85,14 @@ Kernel ParseKernel(const FilterOptions& options) {
 }
 
 void RequirePossible(const FilterOptions& options) {
-    const Kernel kernel = ParseKernel(options);
-    const SATOrigin origin = OriginOf(options.table);
-    const SATEdge edge = EdgeOf(options);
-    const auto precision = PrecisionOf(options.table);
-    RequireFloatOptionsFit(options.table);
+    const FilterRequest request = ParseRequest(options);
+    RequireFloatOptionsFit(options.table, SATPrecision::U64, SATOrigin::Corner);
     if (options.widthMap == "-" && std::ranges::count(options.files.inputs, "-") > 0)
         throw UsageError("--width-map - and IN -: both would read standard input");
-    const bool integers = precision ? *precision != SATPrecision::FP32 : kernel.order > 1;
-    if (kernel.order > 1 && !integers)
-        throw UsageError("--shape {} with --precision fp32: floats hold boxes and discs; use u32 or u64",
+    if (request.order > 1 && request.precision == SATPrecision::FP32)
+        throw UsageError("--shape {} with --precision fp32: floats hold boxes and discs; leave out --precision",
                          options.shapeWord);
-    if (integers && !options.table.biasWord.empty() && options.table.biasWord != "none")
-        throw UsageError(
-            "--bias {} with --shape {}: it is summed in integers, which do not round; a bias is for fp32",
-            options.table.biasWord, options.shapeWord);
-    if (integers && origin != SATOrigin::Corner)
-        throw UsageError("--origin {} with integers: they do not round; sums from elsewhere are for --precision fp32",
-                         options.table.originWord);
-    if (origin != SATOrigin::Corner && (edge == SATEdge::Repeat || edge == SATEdge::Mirror))
+    if (request.origin != SATOrigin::Corner && (request.edge == SATEdge::Repeat || request.edge == SATEdge::Mirror))
         throw UsageError("--origin {} with --edge {}: sums over a repeated picture start at the corner",
                          options.table.originWord, options.edgeWord);
 }
@@ -119,16 +100,6 @@ void RequirePossible(const FilterOptions& options) {
 SampleType OutputSampleType(const Job& job, const Picture& picture, int bits) {
     if (bits == 0 || job.format != FileFormat::Png) return SampleTypeFor(job.format, picture.stored);
     return bits == 16 ? SampleType::Unorm16 : SampleType::Unorm8;
-}
-
-// Of u32 and u64 the first that holds the kernel, or u64.
-SATPrecision ExactPrecision(const Picture& picture, const std::string& name, Transfer transfer, const Kernel& kernel,
-                            bool hasMap) {
-    if (picture.stored == SampleType::Float32) return SATPrecision::U64;
-    const SATCodes codes = CodesFor(picture, name, transfer, SATPrecision::U32);
-    const glm::vec2 size = glm::max(kernel.minTexels, kernel.maxTexels);
-    const bool isWhole = !hasMap && SATIsWhole(size, kernel.order);
-    return SATExactPrecision(size, kernel.order, isWhole, codes);
 }
 
 // A map of widths, of the picture's extent, for the device.
@@ -143,160 +114,18 @@ std::vector<glm::vec4> ReadWidthMap(const std::string& path, const Picture& pict
     return texels;
 }
 
-template <typename Texel>
-std::span<const Texel> RowsOf(const std::vector<Texel>& texels, uint32_t widthTexels, uint32_t first, uint32_t rows) {
-    return std::span(texels).subspan(size_t{first} * widthTexels, size_t{rows} * widthTexels);
-}
-
-// Adds what passes of the same name took.
-void AddTimes(std::vector<PassTime>& total, const std::vector<PassTime>& times) {
-    auto at = total.begin();
-    for (const PassTime& time : times) {
-        at = std::find_if(at, total.end(), [&](const PassTime& t) { return t.name == time.name; });
-        if (at == total.end())
-            at = total.insert(at, time);
-        else
-            at->milliseconds += time.milliseconds;
-        ++at;
-    }
-}
-
-BlurDesc BlurFor(const Picture& picture, const std::string& name, Transfer transfer, const Kernel& kernel,
-                 const FilterOptions& options) {
-    BlurDesc desc{.extent = {picture.widthTexels, picture.heightTexels},
-                  .order = kernel.order,
-                  .boxes = kernel.boxes,
-                  .sides = kernel.sides,
-                  .edge = EdgeOf(options),
-                  .taps = options.taps.Count(),
-                  .origin = OriginOf(options.table),
-                  .largestTexels = glm::max(kernel.minTexels, kernel.maxTexels)};
-    if (const auto asked = PrecisionOf(options.table))
-        desc.precision = *asked;
-    else if (kernel.order > 1)
-        desc.precision = ExactPrecision(picture, name, transfer, kernel, !options.widthMap.empty());
-    if (desc.precision != SATPrecision::FP32)
-        // Who asks for integers wants them exact; who asks for a tent wants a tent.
-        desc.codes = CodesFor(picture, name, transfer, desc.precision,
-                              PrecisionOf(options.table) ? Rounding::Refuse : Rounding::Allow);
-    else if (options.table.biasWord == "half")
-        desc.bias = BlurBias::Half;
-    else if (options.table.biasWord == "mean" ||
-             (options.table.biasWord.empty() && picture.stored != SampleType::Float32))
-        desc.bias = BlurBias::Mean;
-    return desc;
-}
-
-// A picture, and perhaps a map of widths, of which bands of rows go to the device.
-class BandedPicture {
-public:
-    // `map`: empty if there is none.
-    BandedPicture(const Picture& picture, Transfer transfer, SATPrecision precision, std::vector<glm::vec4> map)
-        : m_picture(picture), m_transfer(transfer), m_precision(precision), m_map(std::move(map)) {
-        if (precision == SATPrecision::FP32) m_texels = ToLight(picture, transfer);
-    }
-
-    UploadedWords UploadWords(Device& device, const Band& band) const {
-        if (m_precision != SATPrecision::FP32)
-            return UploadCodes(device, m_picture, m_transfer, m_precision, band.firstRead, band.rowsRead);
-        const Extent2D extent{m_picture.widthTexels, band.rowsRead};
-        UploadedWords words;
-        words.images.push_back(
-            Upload(device, extent, RowsOf(m_texels, extent.widthTexels, band.firstRead, band.rowsRead), "source"));
-        return words;
-    }
-
-    std::optional<Image> UploadMap(Device& device, const Band& band) const {
-        if (m_map.empty()) return {};
-        const Extent2D extent{m_picture.widthTexels, band.rowsRead};
-        return Upload(device, extent, RowsOf(m_map, extent.widthTexels, band.firstRead, band.rowsRead), "widths");
-    }
-
-private:
-    const Picture& m_picture;
-    Transfer m_transfer;
-    SATPrecision m_precision;
-    std::vector<glm::vec4> m_map;
-    std::vector<glm::vec4> m_texels;  // FP32 only
-};
-
-// The whole picture filtered, band by band.
-std::vector<glm::vec4> FilterBands(Device& device, const BandedPicture& source, BlurDesc desc, const Kernel& kernel,
-                                   Stats& stats) {
-    const Extent2D extent = desc.extent;
-    const bool isRepeated = desc.edge == SATEdge::Repeat || desc.edge == SATEdge::Mirror;
-    const Extent2D reach = BlurReach(kernel.order, desc.largestTexels);
-    const uint32_t extendedWidth = extent.widthTexels + 2 * reach.widthTexels;
-    const uint32_t extendedHeight = extent.heightTexels + 2 * reach.heightTexels;
-    const uint32_t largestSide = device.Limits().maxSideTexels;
-    if (isRepeated && desc.order > 1 && std::max(extendedWidth, extendedHeight) > largestSide)
-        throw Error(
-            "a kernel that reaches {} x {} texels over a repeated picture extends it to {} x {}; "
-            "this device takes {} a side: a smaller --width, a box, or --edge clip",
-            reach.widthTexels, reach.heightTexels, extendedWidth, extendedHeight, largestSide);
-    const std::vector<Band> bands = isRepeated ? std::vector<Band>{{0, extent.heightTexels, 0, extent.heightTexels}}
-                                               : PlanBands(extent, reach.heightTexels);
-    std::vector<glm::vec4> filtered;
-    filtered.reserve(extent.Texels());
-    for (const Band& band : bands) {
-        desc.extent.heightTexels = band.rowsRead;
-        Blur blur(device, desc);
-        const UploadedWords words = source.UploadWords(device, band);
-        const std::optional<Image> map = source.UploadMap(device, band);
-        CommandList commands(device, CommandList::Timing::On);
-        const Image& result = blur.Record(
-            commands, words, map ? SATWidths(*map, kernel.minTexels, kernel.maxTexels) : SATWidths(kernel.maxTexels));
-        commands.SubmitAndWait();
-        const auto rows = Download<glm::vec4>(device, result);
-        const auto own = RowsOf(rows, extent.widthTexels, band.firstRow - band.firstRead, band.rows);
-        filtered.insert(filtered.end(), own.begin(), own.end());
-        AddTimes(stats.passes, commands.PassTimes());
-        stats.deviceBytes = std::max(stats.deviceBytes, device.MemoryBytes());
-        stats.tableBytes = std::max(stats.tableBytes, blur.TableBytes());
-    }
-    stats.precision = SATPrecisionName(desc.precision);
-    return filtered;
-}
-
-// One line for texels that the filter marked as NaN, because their width asks for more than the words hold. Throws
-// Error where floats have overflowed.
-void ReportMarked(const std::vector<glm::vec4>& texels, const BlurDesc& desc, const Picture& picture,
-                  SampleType sampleType, const std::string& name) {
-    if (desc.precision == SATPrecision::FP32) return RequireFiniteSums(texels, name);
-    const auto marked = std::ranges::count_if(texels, [](const glm::vec4& texel) { return !IsFinite(texel); });
-    if (marked == 0) return;
-    const uint32_t side = SATLargestWidthTexels(desc.precision, desc.codes, desc.order, false);
-    fmt::print(stderr, "boxcar: {} of {} texels ask for wider sums than {} holds ({} x {}) and are marked, as {}\n",
-               marked, texels.size(), SATPrecisionName(desc.precision), side, side,
-               sampleType == SampleType::Float32 ? "NaN"
-               : picture.channels > 2            ? "magenta"
-                                                 : "white");
-}
-
 Stats Filter(Device& device, const Job& job, const FilterOptions& options) {
-    const Kernel kernel = ParseKernel(options);
+    const FilterRequest request = ParseRequest(options);
     const Picture picture = ReadForDevice(job.input, device, options.read);
     RequireWritable(job.output, job.format, picture.channels);
-    const Transfer transfer = TransferFor(picture, options.read);
+    const Transfer transfer = TransferOf(options.read);
     const SampleType sampleType = OutputSampleType(job, picture, options.bits);
-    const BlurDesc desc = BlurFor(picture, job.input, transfer, kernel, options);
+    std::vector<glm::vec4> map;
+    if (!options.widthMap.empty()) map = ReadWidthMap(options.widthMap, picture, device, options.read);
 
-    Stats stats{.input = job.input, .output = job.output, .extent = desc.extent, .passes = {}};
-    std::vector<glm::vec4> texels;
-    const bool isIdentity = options.widthMap.empty() && kernel.maxTexels.x <= 1 && kernel.maxTexels.y <= 1;
-    if (isIdentity && desc.precision == SATPrecision::FP32) {
-        // The box of one texel is the texel: no table, and so none of its rounding.
-        texels = ToLight(picture, transfer);
-    } else {
-        try {
-            std::vector<glm::vec4> map;
-            if (!options.widthMap.empty()) map = ReadWidthMap(options.widthMap, picture, device, options.read);
-            texels = FilterBands(device, {picture, transfer, desc.precision, std::move(map)}, desc, kernel, stats);
-        } catch (const Error& error) {
-            throw Error("{}: {}", job.input, error.what());
-        }
-        ReportMarked(texels, desc, picture, sampleType, job.input);
-    }
+    Stats stats{.input = job.input, .output = job.output, .extent = {picture.widthTexels, picture.heightTexels}};
+    const std::vector<glm::vec4> texels =
+        FilterPicture(device, picture, job.input, transfer, request, map, sampleType, stats);
     WritePicture(FromLight(texels, picture, transfer, sampleType), job.output, job.format, sampleType);
     return stats;
 }

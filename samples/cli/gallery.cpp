@@ -11,14 +11,14 @@
 #include <memory>
 
 #include "samples/cli/bspline_figures.h"
-#include "samples/cli/codes.h"
 #include "samples/cli/device_run.h"
 #include "samples/cli/disparity.h"
 #include "samples/cli/effect_figures.h"
+#include "samples/cli/filter_picture.h"
+#include "samples/cli/focus_picture.h"
 #include "samples/cli/gallery_page.h"
 #include "samples/cli/light.h"
 #include "samples/cli/precision/figures.h"
-#include "samples/effects/depth_of_field.h"
 #include "samples/effects/sat_verbatim_blur.h"
 #include "samples/files/bytes.h"
 #include "samples/files/color.h"
@@ -34,13 +34,16 @@ namespace {
 
 // A picture as the device sees it.
 struct Photograph {
+    std::string name;
     Picture picture;
+    Transfer transfer;
     std::vector<glm::vec4> texels;
 
-    Photograph(const std::string& name, const uint8_t* begin, const uint8_t* end, Transfer transfer = Transfer::Srgb)
-        : picture(DecodePicture({begin, end}, name)), texels(ToLight(picture, transfer)) {}
+    Photograph(const std::string& file, const uint8_t* begin, const uint8_t* end, Transfer how = Transfer::Srgb)
+        : Photograph(DecodePicture({begin, end}, file), how, file) {}
 
-    Photograph(Picture made, Transfer transfer) : picture(std::move(made)), texels(ToLight(picture, transfer)) {}
+    Photograph(Picture made, Transfer how, std::string title = "picture")
+        : name(std::move(title)), picture(std::move(made)), transfer(how), texels(ToLight(picture, transfer)) {}
 
     Extent2D Extent() const { return {picture.widthTexels, picture.heightTexels}; }
 };
@@ -80,27 +83,14 @@ private:
         return Download<glm::vec4>(m_device, result);
     }
 
-    Texels Box(const Photograph& source, glm::vec2 sizeTexels, SATEdge edge = SATEdge::Clip) {
-        const bool bounded = source.picture.stored != SampleType::Float32;
-        Blur blur(m_device,
-                  {.extent = source.Extent(), .edge = edge, .bias = bounded ? BlurBias::Mean : BlurBias::None});
-        return Run(source, [&](CommandList& commands, const Image& image) -> const Image& {
-            return blur.Record(commands, image, sizeTexels);
-        });
+    Texels Filtered(const Photograph& photograph, glm::vec2 sizeTexels, FilterRequest request = {}) {
+        request.minTexels = request.maxTexels = sizeTexels;
+        return Filtered(photograph, request, {});
     }
-
-    // In 64-bit integers; `desc` says which kernel.
-    Texels Exact(const Photograph& photograph, Transfer transfer, BlurDesc desc, glm::vec2 sizeTexels) {
-        desc.extent = photograph.Extent();
-        desc.precision = SATPrecision::U64;
-        desc.codes = CodesFor(photograph.picture, "picture", transfer, desc.precision);
-        const UploadedWords words =
-            UploadCodes(m_device, photograph.picture, transfer, desc.precision, 0, desc.extent.heightTexels);
-        Blur blur(m_device, desc);
-        CommandList commands(m_device);
-        const Image& result = blur.Record(commands, words, sizeTexels);
-        commands.SubmitAndWait();
-        return Download<glm::vec4>(m_device, result);
+    Texels Filtered(const Photograph& photograph, const FilterRequest& request, const Texels& widthMap) {
+        Stats stats;
+        return FilterPicture(m_device, photograph.picture, photograph.name, photograph.transfer, request, widthMap,
+                             SampleType::Unorm8, stats);
     }
 
     // Writes `texels` as an 8-bit PNG and returns its figure.
@@ -142,10 +132,10 @@ void Gallery::PhotographAtSeveralWidths() {
         {}};
     section.figures.push_back(Save("fruits_1.png", m_fruits.texels, m_fruits, "The photograph (width 1)."));
     for (const float width : {5.0f, 17.0f, 65.0f})
-        section.figures.push_back(Save(fmt::format("fruits_{:g}.png", width), Box(m_fruits, {width, width}), m_fruits,
-                                       fmt::format("{0:g} x {0:g} texels.", width)));
+        section.figures.push_back(Save(fmt::format("fruits_{:g}.png", width), Filtered(m_fruits, {width, width}),
+                                       m_fruits, fmt::format("{0:g} x {0:g} texels.", width)));
     section.figures.push_back(Save("building_1.png", m_building.texels, m_building, "Another photograph."));
-    section.figures.push_back(Save("building_49x1.png", Box(m_building, {49, 1}), m_building,
+    section.figures.push_back(Save("building_49x1.png", Filtered(m_building, {49, 1}), m_building,
                                    "49 x 1 texels: width and height are free of one another."));
     m_sections.push_back(std::move(section));
 }
@@ -249,7 +239,7 @@ void Gallery::VerbatimAndCorrected() {
                        return verbatim.Record(commands, *table.Record(commands, image).low, {kWidth, kWidth});
                    }),
                glm::vec4(1 / texelCount));
-    const Texels corrected = Box(m_fruits, {kWidth, kWidth});
+    const Texels corrected = Filtered(m_fruits, {kWidth, kWidth});
     Texels difference = corrected;
     for (size_t i = 0; i < difference.size(); i++)
         difference[i] = glm::min(kGain * glm::abs(corrected[i] - printed[i]), glm::vec4(1));
@@ -275,8 +265,9 @@ void Gallery::EdgesOfThePicture() {
         {}};
     for (const auto& [edge, word] : {std::pair(SATEdge::Clip, "clip"), std::pair(SATEdge::Zero, "zero"),
                                      std::pair(SATEdge::Repeat, "repeat"), std::pair(SATEdge::Mirror, "mirror")})
-        section.figures.push_back(Save(fmt::format("edge_{}.png", word), Box(m_building, {129, 129}, edge),
-                                       m_building, fmt::format("129 x 129 texels, {}.", word)));
+        section.figures.push_back(Save(fmt::format("edge_{}.png", word),
+                                       Filtered(m_building, {129, 129}, {.edge = edge}), m_building,
+                                       fmt::format("129 x 129 texels, {}.", word)));
     m_sections.push_back(std::move(section));
 }
 
@@ -306,18 +297,18 @@ void Gallery::ShapesOfTheKernel() {
                 large.push_back(scaled[y / kZoom * kSide + x / kZoom]);
         section.figures.push_back(Save(file, large, zoomed, caption));
     };
-    show("kernel_box.png", Exact(texel, Transfer::Raw, {.order = 1, .edge = SATEdge::Zero}, {9, 9}), "Box, 9 x 9.");
-    show("kernel_tent.png", Exact(texel, Transfer::Raw, {.order = 2, .edge = SATEdge::Zero}, {9, 9}),
+    show("kernel_box.png", Filtered(texel, {9, 9}, {.order = 1, .edge = SATEdge::Zero}), "Box, 9 x 9.");
+    show("kernel_tent.png", Filtered(texel, {9, 9}, {.order = 2, .edge = SATEdge::Zero}),
          "Tent: two boxes, 17 x 17.");
-    show("kernel_parabolic.png", Exact(texel, Transfer::Raw, {.order = 3, .edge = SATEdge::Zero}, {9, 9}),
+    show("kernel_parabolic.png", Filtered(texel, {9, 9}, {.order = 3, .edge = SATEdge::Zero}),
          "Parabolic: three, 25 x 25.");
-    show("kernel_disc.png", Exact(texel, Transfer::Raw, {.boxes = 16, .edge = SATEdge::Zero}, {25, 25}),
+    show("kernel_disc.png", Filtered(texel, {25, 25}, {.boxes = 16, .edge = SATEdge::Zero}),
          "Disc of 16 boxes, 25 x 25.");
 
-    section.figures.push_back(Save("shape_box.png", Box(m_fruits, {25, 25}), m_fruits,
+    section.figures.push_back(Save("shape_box.png", Filtered(m_fruits, {25, 25}), m_fruits,
                                    "The photograph under a box of 25: edges double, highlights turn to squares."));
     section.figures.push_back(
-        Save("shape_gauss.png", Exact(m_fruits, Transfer::Srgb, {.order = 3}, glm::vec2(1.923f * 7.2f)), m_fruits,
+        Save("shape_gauss.png", Filtered(m_fruits, glm::vec2(1.923f * 7.2f), {.order = 3}), m_fruits,
              "A Gaussian of the same variance, sigma 7.2, as a parabolic kernel 4.2 % from it."));
     m_sections.push_back(std::move(section));
 }
@@ -336,11 +327,8 @@ void Gallery::WidthsFromAMap() {
             const float at = static_cast<float>(y) / static_cast<float>(extent.heightTexels);
             widths.emplace_back(std::min(1.0f, 1.5f * std::abs(at - 0.33f)), 0, 0, 0);
         }
-    const Image map = Upload(m_device, extent, std::span<const glm::vec4>(widths), "widths");
-    Blur blur(m_device, {.extent = extent, .boxes = 16, .bias = BlurBias::Mean});
-    const Texels filtered = Run(m_building, [&](CommandList& commands, const Image& image) -> const Image& {
-        return blur.Record(commands, image, SATWidths(map, {1, 1}, {60, 60}));
-    });
+    const Texels filtered =
+        Filtered(m_building, {.boxes = 16, .minTexels = glm::vec2(1), .maxTexels = glm::vec2(60)}, widths);
     for (glm::vec4& width : widths)
         width = glm::vec4(glm::vec3(width.r), 1);
     section.figures.push_back(
@@ -370,18 +358,12 @@ void Gallery::LensOnAPhotograph() {
     section.figures.push_back(
         Save("lens_disparity.png", widths, aloe, "Disparity: brighter is nearer; holes filled.", Transfer::Raw));
 
-    DepthOfFieldDesc desc{.extent = aloe.Extent(), .boxes = 8, .largestTexels = 60};
-    desc.codes = CodesFor(aloe.picture, "aloeL.jpg", Transfer::Srgb, SATPrecision::U32);
-    desc.precision = SATPrecision::U32;
-    DepthOfField effect(m_device, desc);
-    const UploadedWords color =
-        UploadCodes(m_device, aloe.picture, Transfer::Srgb, desc.precision, 0, desc.extent.heightTexels);
-    const Image map = Upload(m_device, desc.extent, std::span<const glm::vec4>(widths), "disparity");
-    CommandList commands(m_device);
-    const Image& result = effect.Record(commands, color, map, {0.5f, 100});
-    commands.SubmitAndWait();
-    section.figures.push_back(Save("lens.png", Download<glm::vec4>(m_device, result), aloe,
-                                   "Focused on the front leaf and the pot: --focus 0.5 --aperture 100."));
+    Stats stats;
+    const Texels focused =
+        FocusPicture(m_device, aloe.picture, aloe.name, aloe.transfer,
+                     {.lens = {0.5f, 100}, .largestTexels = 60, .boxes = 8}, widths, SampleType::Unorm8, stats);
+    section.figures.push_back(
+        Save("lens.png", focused, aloe, "Focused on the front leaf and the pot: --focus 0.5 --aperture 100."));
     m_sections.push_back(std::move(section));
 }
 
@@ -395,9 +377,9 @@ void Gallery::LinearLightAndCodes() {
         {}};
     const Photograph codes("fruits.jpg", boxcar_fruits_jpg, boxcar_fruits_jpg_end, Transfer::Raw);
     section.figures.push_back(
-        Save("linear_light.png", Box(m_fruits, {33, 33}), m_fruits, "33 x 33 texels in linear light."));
-    section.figures.push_back(
-        Save("raw_codes.png", Box(codes, {33, 33}), codes, "33 x 33 texels over the codes: darker.", Transfer::Raw));
+        Save("linear_light.png", Filtered(m_fruits, {33, 33}), m_fruits, "33 x 33 texels in linear light."));
+    section.figures.push_back(Save("raw_codes.png", Filtered(codes, {33, 33}), codes,
+                                   "33 x 33 texels over the codes: darker.", Transfer::Raw));
     m_sections.push_back(std::move(section));
 }
 
@@ -416,8 +398,8 @@ void Gallery::HdrEnvironment() {
     };
     section.figures.push_back(Save("city_1.png", shown(city.texels), city, "The environment (width 1)."));
     for (const float width : {9.0f, 33.0f})
-        section.figures.push_back(Save(fmt::format("city_{:g}.png", width), shown(Box(city, {width, width})), city,
-                                       fmt::format("{0:g} x {0:g} texels.", width)));
+        section.figures.push_back(Save(fmt::format("city_{:g}.png", width), shown(Filtered(city, {width, width})),
+                                       city, fmt::format("{0:g} x {0:g} texels.", width)));
     m_sections.push_back(std::move(section));
 }
 

@@ -56,8 +56,10 @@ void AddReadOptions(CLI::App& command, ReadOptions& options) {
     command
         .add_option(
             "--transfer", options.transferWord,
-            "srgb: filter in linear light (the default for 8 and 16-bit files); raw: take values as they stand "
-            "(the default for float files)")
+            "srgb (default): work in linear light. 8 and 16-bit files hold sRGB codes and straight alpha, float "
+            "files "
+            "linear light, colors times alpha; what is read as the one and written as the other is converted. raw: "
+            "numbers as they stand")
         ->check(CLI::IsMember({"srgb", "raw"}))
         ->type_name("T");
     command.add_option("--nan", options.nanWord, "What to do with NaN and infinity: refuse (default) or zero")
@@ -92,9 +94,8 @@ Picture ReadBeside(const Picture& picture, const std::string& path, const std::s
     return beside;
 }
 
-Transfer TransferFor(const Picture& picture, const ReadOptions& options) {
-    if (options.transferWord == "auto") return picture.stored == SampleType::Float32 ? Transfer::Raw : Transfer::Srgb;
-    return options.transferWord == "srgb" ? Transfer::Srgb : Transfer::Raw;
+Transfer TransferOf(const ReadOptions& options) {
+    return options.transferWord == "raw" ? Transfer::Raw : Transfer::Srgb;
 }
 
 uint32_t TapsOption::Count() const {
@@ -136,14 +137,21 @@ SATOrigin OriginOf(const TableOptions& options) {
                                             : SATOrigin::LowerLeft;
 }
 
-void RequireFloatOptionsFit(const TableOptions& options) {
-    if (options.precisionWord.empty() || options.precisionWord == "fp32") return;
+std::optional<BlurBias> BiasOf(const TableOptions& options) {
+    if (options.biasWord.empty()) return {};
+    return options.biasWord == "mean" ? BlurBias::Mean : options.biasWord == "half" ? BlurBias::Half : BlurBias::None;
+}
+
+void RequireFloatOptionsFit(const TableOptions& options, SATPrecision standard, SATOrigin alsoFrom) {
+    if (PrecisionOf(options).value_or(standard) == SATPrecision::FP32) return;
+    const std::string where =
+        options.precisionWord.empty() ? "without --precision fp32" : "with --precision " + options.precisionWord;
     if (!options.biasWord.empty() && options.biasWord != "none")
-        throw UsageError("--bias {} with --precision {}: integers do not round; a bias is for fp32", options.biasWord,
-                         options.precisionWord);
-    if (options.originWord == "center")
-        throw UsageError("--origin center with --precision {}: integers do not round; it is for fp32",
-                         options.precisionWord);
+        throw UsageError("--bias {} {}: integers do not round; a bias is for fp32", options.biasWord, where);
+    const SATOrigin origin = OriginOf(options);
+    if (origin != SATOrigin::Corner && origin != alsoFrom)
+        throw UsageError("--origin {} {}: integers do not round, and are summed from the corner; it is for fp32",
+                         options.originWord, where);
 }
 
 void AddDiscOptions(CLI::App& command, DiscOptions& options) {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "runtime/passes/summed_area_table.h"
+#include "samples/effects/blur.h"
 #include "samples/files/picture.h"
 #include "tools/layout/error.h"
 
@@ -14,7 +14,7 @@ namespace boxcar {
 
 // Light in, light out: how values in files become values that are filtered.
 enum class Transfer {
-    Srgb,  // 8 and 16-bit files hold sRGB codes, float files linear light; filters linear light
+    Srgb,  // 8 and 16-bit files hold sRGB codes and straight alpha, float files linear light and colors times alpha
     Raw,   // values as they stand
 };
 
@@ -46,7 +46,7 @@ void RequireFolder(const std::string& path);
 
 // Flags of every command that reads a picture.
 struct ReadOptions {
-    std::string transferWord = "auto";
+    std::string transferWord = "srgb";
     std::string nanWord = "refuse";
 };
 void AddReadOptions(CLI::App& command, ReadOptions& options);
@@ -59,8 +59,7 @@ Picture ReadForDevice(const std::string& path, const Device& device, const ReadO
 Picture ReadBeside(const Picture& picture, const std::string& path, const std::string& what, const Device& device,
                    const ReadOptions& options);
 
-// srgb for integer files and raw for float files, unless said otherwise.
-Transfer TransferFor(const Picture& picture, const ReadOptions& options);
+Transfer TransferOf(const ReadOptions& options);
 
 // --taps: of the commands that build a table.
 struct TapsOption {
@@ -82,8 +81,14 @@ void AddTableOptions(CLI::App& command, TableOptions& options, const std::string
 std::optional<SATPrecision> PrecisionOf(const TableOptions& options);
 SATOrigin OriginOf(const TableOptions& options);
 
-// Throws UsageError: a bias, or sums from the center, for integers.
-void RequireFloatOptionsFit(const TableOptions& options);
+// What --bias asks for, if anything.
+std::optional<BlurBias> BiasOf(const TableOptions& options);
+
+// Throws UsageError: a bias, or sums from elsewhere than the corner, for integers.
+//
+//   standard  the precision without --precision
+//   alsoFrom  another place that integers may be summed from; Corner: none
+void RequireFloatOptionsFit(const TableOptions& options, SATPrecision standard, SATOrigin alsoFrom);
 
 // Flags of the commands that blur under discs.
 struct DiscOptions {

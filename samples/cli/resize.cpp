@@ -49,7 +49,7 @@ ResizeDesc DescFor(Extent2D source, const ResizeOptions& options, const Device& 
 Stats ResizePicture(Device& device, const Job& job, const ResizeOptions& options) {
     const Picture picture = ReadForDevice(job.input, device, options.read);
     RequireWritable(job.output, job.format, picture.channels);
-    const Transfer transfer = TransferFor(picture, options.read);
+    const Transfer transfer = TransferOf(options.read);
     const Extent2D source{picture.widthTexels, picture.heightTexels};
     const ResizeDesc desc = DescFor(source, options, device);
 
@@ -79,7 +79,7 @@ Stats Derive(Device& device, const Job& job, const DeriveOptions& options) {
     const Picture picture = ReadForDevice(job.input, device, options.read);
     const uint32_t colours = picture.channels > 2 ? 3 : 1;
     RequireWritable(job.output, job.format, colours);
-    const Transfer transfer = TransferFor(picture, options.read);
+    const Transfer transfer = TransferOf(options.read);
     const Extent2D extent{picture.widthTexels, picture.heightTexels};
     const std::vector<glm::vec4> light = ToLight(picture, transfer);
     const Image source = Upload(device, extent, std::span(light), "source");

@@ -33,7 +33,7 @@ const char* WhatIsSummed(const Picture& picture, Transfer transfer, SATPrecision
 
 // The largest code that integers would sum, and whether there are negative ones.
 SATCodes CodesToExplain(const Picture& picture, Transfer transfer) {
-    if (picture.stored != SampleType::Float32) return CodesFor(picture, "", transfer, SATPrecision::U64);
+    if (picture.stored != SampleType::Float32) return NamedCodes(picture, "", transfer, SATPrecision::U64).rounds[0];
     SATCodes codes{0x1p24f, 0, false};
     for (const float sample : picture.samples) {
         codes.largest = std::max(codes.largest, std::abs(std::round(sample * 0x1p24)));
@@ -99,7 +99,7 @@ Stats WriteTable(Device& device, const Job& job, const SatOptions& options) {
     const SATPrecision precision = PrecisionOf(options.table).value_or(SATPrecision::FP32);
     const bool isFloat = precision == SATPrecision::FP32;
     if (isFloat) RequireWritable(job.output, job.format, picture.channels);
-    const Transfer transfer = TransferFor(picture, options.read);
+    const Transfer transfer = TransferOf(options.read);
     const Extent2D extent{picture.widthTexels, picture.heightTexels};
 
     SummedAreaTable table(device, {.extent = extent,
@@ -120,9 +120,9 @@ Stats WriteTable(Device& device, const Job& job, const SatOptions& options) {
     };
 
     if (!isFloat) {
-        CodesFor(picture, job.input, transfer, precision);
+        const CodedPicture codes(picture, transfer, NamedCodes(picture, job.input, transfer, precision));
         const bool isWide = precision == SATPrecision::U64;
-        const UploadedWords words = UploadCodes(device, picture, transfer, precision, 0, extent.heightTexels);
+        const UploadedWords words = codes.Upload(device, 0, 0, extent.heightTexels);
         const TexelWords sums = table.Record(commands, words);
         finish();
         std::vector<UintChannel> channels;
@@ -180,7 +180,7 @@ void AddSatCommand(CLI::App& app) {
     command.add_flag("--explain", options->explain,
                      "Print to stderr what was summed, the bias, and how many bits such a table needs");
     command.callback([options] {
-        RequireFloatOptionsFit(options->table);
+        RequireFloatOptionsFit(options->table, SATPrecision::FP32, SATOrigin::LowerLeft);
         const bool isFloat = PrecisionOf(options->table).value_or(SATPrecision::FP32) == SATPrecision::FP32;
         if (isFloat && options->order > 1)
             throw UsageError("--order {} with --precision fp32: floats hold order 1; use u32 or u64", options->order);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace boxcar {
 namespace {
 
@@ -14,12 +16,26 @@ double TotalMilliseconds(const Stats& stats) {
 
 }  // namespace
 
+void AddTimes(std::vector<PassTime>& total, const std::vector<PassTime>& times) {
+    auto at = total.begin();
+    for (const PassTime& time : times) {
+        at = std::find_if(at, total.end(), [&](const PassTime& t) { return t.name == time.name; });
+        if (at == total.end())
+            at = total.insert(at, time);
+        else
+            at->milliseconds += time.milliseconds;
+        ++at;
+    }
+}
+
 nlohmann::ordered_json ToJson(const Stats& stats) {
     nlohmann::ordered_json json = {{"input", stats.input},
                                    {"output", stats.output},
                                    {"width", stats.extent.widthTexels},
                                    {"height", stats.extent.heightTexels},
                                    {"precision", stats.precision},
+                                   {"step", stats.step},
+                                   {"rounds", stats.rounds},
                                    {"table_bytes", stats.tableBytes},
                                    {"device_bytes", stats.deviceBytes},
                                    {"device_ms", TotalMilliseconds(stats)}};
@@ -39,6 +55,8 @@ void PrintStats(const Stats& stats, const DeviceInfo& device) {
                TotalMilliseconds(stats), mebibytes(stats.deviceBytes));
     if (stats.tableBytes > 0)
         fmt::print(stderr, ", {:.1f} MiB of it the {} table's", mebibytes(stats.tableBytes), stats.precision);
+    if (stats.step > 0) fmt::print(stderr, "; in steps of {:.3g}", stats.step);
+    if (stats.rounds > 1) fmt::print(stderr, ", in {} rounds", stats.rounds);
     fmt::print(stderr, "\n");
 }
 

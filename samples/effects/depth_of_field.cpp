@@ -27,7 +27,6 @@ DepthOfField::DepthOfField(Device& device, const DepthOfFieldDesc& desc)
                       .boxes = desc.boxes,
                       .sides = desc.sides,
                       .taps = desc.taps,
-                      .bias = desc.bias,
                       .codes = desc.codes}) {}
 
 const Image& DepthOfField::Record(CommandList& commands, TexelWords color, const Image& disparity, const Lens& lens) {

@@ -41,10 +41,9 @@ struct DepthOfFieldDesc {
     uint32_t boxes = 16;        // of equal height, that stand for a circle
     uint32_t sides = 0;         // of an aperture with so many blades, 3 to 16; 0: round
     float largestTexels = 256;  // the largest circle to come; larger ones become this
-    // Integers keep what is in focus as it is; a table of floats over a megapixel makes it noisy by a per cent.
+    // U32 or U64: what is in focus stays as it is. A table of floats over a megapixel makes it noisy by a per cent.
     SATPrecision precision = SATPrecision::U64;
-    SATCodes codes = {};             // for integers
-    BlurBias bias = BlurBias::None;  // for floats
+    SATCodes codes = {};
 };
 
 // Device memory: that of Blur and 16 bytes a texel. Move-only. Not thread-safe.

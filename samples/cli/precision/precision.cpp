@@ -80,7 +80,7 @@ void MeasurePictures(const PrecisionOptions& options) {
     for (const std::string& input : options.inputs) {
         try {
             const Picture picture = ReadForDevice(input, *device, options.read);
-            Meter meter(*device, SubjectOf(picture, TransferFor(picture, options.read)));
+            Meter meter(*device, SubjectOf(picture, TransferOf(options.read)));
             Measurements all;
             const std::vector<Case> cases = AllCases(meter.Picture().largestCode);
             for (const Case& setup : cases) {

@@ -12,7 +12,9 @@ float4 main(QuadVertex i) : SV_Target0
 {
     SATExactTable words = SATTable64(table, tableHigh, false);
     float2 centre = i.position.xy + g.offsetTexels;
-    float mass = SATMassOrder(ORDER, centre.x, g.sizeTexels.x, g.extentTexels.x)
-               * SATMassOrder(ORDER, centre.y, g.sizeTexels.y, g.extentTexels.y);
-    return SATSumOrder(words, g.extentTexels, ORDER, centre, g.sizeTexels) / mass;
+    float2 after = float2(g.extentTexels) - centre;
+    FloatPair mass = FloatPairMul(SATMassOrder(ORDER, g.sizeTexels.x, centre.x, after.x),
+                                  SATMassOrder(ORDER, g.sizeTexels.y, centre.y, after.y));
+    FloatPair sum = SATSumOrder(words, g.extentTexels, ORDER, int2(0, 0), centre, g.sizeTexels);
+    return FloatPairToFloat(FloatPairDiv(sum, mass));
 }

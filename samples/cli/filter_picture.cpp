@@ -1,0 +1,206 @@
+#include "samples/cli/filter_picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <glm/common.hpp>
+
+#include "samples/cli/bands.h"
+#include "samples/cli/light.h"
+
+namespace boxcar {
+namespace {
+
+bool IsRepeated(SATEdge edge) {
+    return edge == SATEdge::Repeat || edge == SATEdge::Mirror;
+}
+
+template <typename Texel>
+std::span<const Texel> RowsOf(const std::vector<Texel>& texels, uint32_t widthTexels, uint32_t first, uint32_t rows) {
+    return std::span(texels).subspan(size_t{first} * widthTexels, size_t{rows} * widthTexels);
+}
+
+BlurDesc BlurFor(const Picture& picture, const FilterRequest& request, SATPrecision precision) {
+    BlurDesc desc{.extent = {picture.widthTexels, picture.heightTexels},
+                  .precision = precision,
+                  .order = request.order,
+                  .boxes = request.boxes,
+                  .sides = request.sides,
+                  .edge = request.edge,
+                  .taps = request.taps,
+                  .origin = request.origin,
+                  .largestTexels = glm::max(request.minTexels, request.maxTexels)};
+    if (precision == SATPrecision::FP32)
+        desc.bias = request.bias.value_or(picture.stored == SampleType::Float32 ? BlurBias::None : BlurBias::Mean);
+    return desc;
+}
+
+std::vector<Band> BandsFor(const Device& device, const BlurDesc& desc) {
+    const Extent2D extent = desc.extent;
+    const Extent2D reach = BlurReach(desc.order, desc.largestTexels);
+    if (!IsRepeated(desc.edge)) return PlanBands(extent, reach.heightTexels);
+    const uint32_t extendedWidth = extent.widthTexels + 2 * reach.widthTexels;
+    const uint32_t extendedHeight = extent.heightTexels + 2 * reach.heightTexels;
+    const uint32_t largestSide = device.Limits().maxSideTexels;
+    if (desc.order > 1 && std::max(extendedWidth, extendedHeight) > largestSide)
+        throw Error(
+            "a kernel that reaches {} x {} texels over a repeated picture extends it to {} x {}; "
+            "this device takes {} a side: a smaller --width, a box, or --edge clip",
+            reach.widthTexels, reach.heightTexels, extendedWidth, extendedHeight, largestSide);
+    return {{0, extent.heightTexels, 0, extent.heightTexels}};
+}
+
+// What is filtered: codes in one or several rounds, or light.
+struct Source {
+    const CodedPicture* codes = nullptr;
+    const std::vector<glm::vec4>* light = nullptr;  // FP32
+
+    size_t Rounds() const { return codes ? codes->Plan().rounds.size() : 1; }
+    double Unit() const { return codes ? codes->Plan().unit : 1; }
+
+    UploadedWords Upload(Device& device, uint32_t widthTexels, size_t round, const Band& band) const {
+        if (codes) return codes->Upload(device, round, band.firstRead, band.rowsRead);
+        return UploadLight(device, {widthTexels, band.rowsRead},
+                           RowsOf(*light, widthTexels, band.firstRead, band.rowsRead));
+    }
+};
+
+// The whole picture filtered, band by band and round by round.
+std::vector<glm::vec4> FilterBands(Device& device, const Source& source, BlurDesc desc, const FilterRequest& request,
+                                   const std::vector<glm::vec4>& widthMap, Stats& stats) {
+    const Extent2D extent = desc.extent;
+    const uint32_t width = extent.widthTexels;
+    std::vector<glm::vec4> filtered;
+    filtered.reserve(extent.Texels());
+    for (const Band& band : BandsFor(device, desc)) {
+        desc.extent.heightTexels = band.rowsRead;
+        std::optional<Image> map;
+        if (!widthMap.empty())
+            map = Upload(device, desc.extent, RowsOf(widthMap, width, band.firstRead, band.rowsRead), "widths");
+        const SATWidths widths =
+            map ? SATWidths(*map, request.minTexels, request.maxTexels) : SATWidths(request.maxTexels);
+        // The finest round first, whose results are the smallest.
+        const size_t first = filtered.size();
+        filtered.resize(first + size_t{band.rows} * width, glm::vec4(0));
+        for (size_t round = source.Rounds(); round-- > 0;) {
+            if (source.codes) desc.codes = source.codes->Plan().rounds[round];
+            Blur blur(device, desc);
+            const UploadedWords words = source.Upload(device, width, round, band);
+            CommandList commands(device, CommandList::Timing::On);
+            const Image& result = blur.Record(commands, words, widths);
+            commands.SubmitAndWait();
+            const auto rows = Download<glm::vec4>(device, result);
+            const auto own = RowsOf(rows, width, band.firstRow - band.firstRead, band.rows);
+            for (size_t i = 0; i < own.size(); i++)
+                filtered[first + i] += own[i];
+            AddTimes(stats.passes, commands.PassTimes());
+            stats.deviceBytes = std::max(stats.deviceBytes, device.MemoryBytes());
+            stats.tableBytes = std::max(stats.tableBytes, blur.TableBytes());
+        }
+    }
+    if (source.Unit() != 1)
+        for (glm::vec4& texel : filtered)
+            texel *= static_cast<float>(source.Unit());
+    return filtered;
+}
+
+// One line for texels whose width asks for more than the words hold, and which are NaN.
+void ReportMarked(const std::vector<glm::vec4>& texels, const BlurDesc& desc, const SATCodes& codes,
+                  const Picture& picture, SampleType result) {
+    const auto marked = std::ranges::count_if(texels, [](const glm::vec4& texel) { return !IsFinite(texel); });
+    if (marked == 0) return;
+    const uint32_t side = SATLargestWidthTexels(desc.precision, codes, desc.order, false);
+    fmt::print(stderr, "boxcar: {} of {} texels ask for wider sums than {} holds ({} x {}) and are marked, as {}\n",
+               marked, texels.size(), SATPrecisionName(desc.precision), side, side,
+               result == SampleType::Float32 ? "NaN"
+               : picture.channels > 2        ? "magenta"
+                                             : "white");
+}
+
+// One line where floats may be off by more than half a code of the file; of a float file, by more than 1e-5 of the
+// picture's mean.
+void ReportFloatBound(const std::vector<glm::vec4>& texels, const BlurDesc& desc, const FilterRequest& request,
+                      Transfer transfer, SampleType result, const std::string& name) {
+    const double bound = FloatTableBound(texels, desc.extent, glm::min(request.minTexels, request.maxTexels),
+                                         desc.edge, desc.bias == BlurBias::Mean);
+    constexpr const char* kAdvice = "without --precision nothing is lost";
+    if (result == SampleType::Float32) {
+        double mean = 0;
+        for (const glm::vec4& texel : texels)
+            mean += std::abs(texel.x) / static_cast<double>(texels.size());
+        if (bound > 1e-5 * mean)
+            fmt::print(stderr, "boxcar: {}: sums of fp32 round: texels may be off by up to {:.2g}; {}\n", name, bound,
+                       kAdvice);
+        return;
+    }
+    const double codes =
+        bound * (result == SampleType::Unorm8 ? 255 : 65535) * (transfer == Transfer::Srgb ? 12.92 : 1);
+    if (codes > 0.5)
+        fmt::print(stderr, "boxcar: {}: sums of fp32 round: texels may be off by up to {:.2g} codes; {}\n", name,
+                   codes, kAdvice);
+}
+
+}  // namespace
+
+double FloatTableBound(const std::vector<glm::vec4>& texels, Extent2D extent, glm::vec2 smallestTexels, SATEdge edge,
+                       bool meanTakenOff) {
+    glm::dvec4 mean(0), sum(0);
+    if (meanTakenOff) {
+        for (const glm::vec4& texel : texels)
+            mean += glm::dvec4(texel);
+        mean /= static_cast<double>(texels.size());
+    }
+    for (const glm::vec4& texel : texels)
+        sum += glm::abs(glm::dvec4(texel) - mean);
+    const double largest = std::max({sum.x, sum.y, sum.z, sum.w});
+    // At a corner of the picture a quarter of the box, and half a texel of each axis, lies inside.
+    const glm::dvec2 size = glm::max(glm::dvec2(smallestTexels), 1.0);
+    const glm::dvec2 inside = edge == SATEdge::Clip ? 0.5 * size + 0.5 : size;
+    const auto depth = [](uint32_t side) { return std::bit_width(side - 1); };
+    const int levels = depth(extent.widthTexels) + depth(extent.heightTexels);
+    return (4.0 * levels + 20) * 0x1p-24 * largest / (inside.x * inside.y);
+}
+
+UploadedWords UploadLight(Device& device, Extent2D extent, std::span<const glm::vec4> texels) {
+    UploadedWords words;
+    words.images.push_back(Upload(device, extent, texels, "source"));
+    return words;
+}
+
+std::vector<glm::vec4> FilterPicture(Device& device, const Picture& picture, const std::string& name,
+                                     Transfer transfer, const FilterRequest& request,
+                                     const std::vector<glm::vec4>& widthMap, SampleType result, Stats& stats) {
+    const bool isInteger = request.precision != SATPrecision::FP32;
+    const auto filterBands = [&](const Source& source, const BlurDesc& desc) {
+        try {
+            return FilterBands(device, source, desc, request, widthMap, stats);
+        } catch (const Error& error) {
+            throw Error("{}: {}", name, error.what());
+        }
+    };
+    const bool isIdentity = widthMap.empty() && request.maxTexels.x <= 1 && request.maxTexels.y <= 1;
+    if (isIdentity && !(request.precision && isInteger)) return ToLight(picture, transfer);
+    if (isInteger) {
+        const glm::vec2 size = glm::max(request.minTexels, request.maxTexels);
+        const KernelSize kernel{size, request.order, widthMap.empty() && SATIsWhole(size, request.order)};
+        const CodedPicture codes(picture, transfer,
+                                 request.precision ? NamedCodes(picture, name, transfer, *request.precision)
+                                                   : FittingCodes(picture, name, transfer, result, kernel));
+        const BlurDesc desc = BlurFor(picture, request, codes.Plan().precision);
+        std::vector<glm::vec4> filtered = filterBands({.codes = &codes}, desc);
+        ReportMarked(filtered, desc, codes.Plan().rounds[0], picture, result);
+        AddPlan(stats, codes.Plan(), stats.tableBytes);
+        return filtered;
+    }
+    const BlurDesc desc = BlurFor(picture, request, SATPrecision::FP32);
+    const std::vector<glm::vec4> light = ToLight(picture, transfer);
+    std::vector<glm::vec4> filtered = filterBands({.light = &light}, desc);
+    RequireFiniteSums(filtered, name);
+    ReportFloatBound(light, desc, request, transfer, result, name);
+    stats.precision = SATPrecisionName(SATPrecision::FP32);
+    return filtered;
+}
+
+}  // namespace boxcar

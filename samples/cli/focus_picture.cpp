@@ -1,0 +1,43 @@
+#include "samples/cli/focus_picture.h"
+
+#include <algorithm>
+
+#include "samples/cli/codes.h"
+
+namespace boxcar {
+
+std::vector<glm::vec4> FocusPicture(Device& device, const Picture& picture, const std::string& name,
+                                    Transfer transfer, const FocusRequest& request,
+                                    const std::vector<glm::vec4>& disparity, SampleType result, Stats& stats) {
+    const CodedPicture codes(
+        picture, transfer,
+        FittingCodes(picture, name, transfer, result, {.sizeTexels = glm::vec2(request.largestTexels)}));
+    DepthOfFieldDesc desc{.extent = {picture.widthTexels, picture.heightTexels},
+                          .taps = request.taps,
+                          .boxes = request.boxes,
+                          .sides = request.sides,
+                          .largestTexels = request.largestTexels,
+                          .precision = codes.Plan().precision};
+    const Image depth = Upload(device, desc.extent, std::span(disparity), "disparity");
+    std::vector<glm::vec4> focused(desc.extent.Texels(), glm::vec4(0));
+    // The finest round first, whose results are the smallest.
+    for (size_t round = codes.Plan().rounds.size(); round-- > 0;) {
+        desc.codes = codes.Plan().rounds[round];
+        DepthOfField effect(device, desc);
+        const UploadedWords words = codes.Upload(device, round, 0, picture.heightTexels);
+        CommandList commands(device, CommandList::Timing::On);
+        const Image& image = effect.Record(commands, words, depth, request.lens);
+        commands.SubmitAndWait();
+        const auto texels = Download<glm::vec4>(device, image);
+        for (size_t i = 0; i < texels.size(); i++)
+            focused[i] += texels[i];
+        AddTimes(stats.passes, commands.PassTimes());
+        stats.deviceBytes = std::max(stats.deviceBytes, device.MemoryBytes());
+    }
+    for (glm::vec4& texel : focused)
+        texel *= static_cast<float>(codes.Plan().unit);
+    AddPlan(stats, codes.Plan(), SummedAreaTableBytes(desc.extent, desc.precision));
+    return focused;
+}
+
+}  // namespace boxcar
