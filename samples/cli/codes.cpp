@@ -13,6 +13,7 @@ namespace {
 constexpr double kLinearLargest = 65535;
 const double kHalfScale = std::ldexp(1.0, 24);
 const double kHalfLimit = std::ldexp(1.0, 40);
+constexpr double kLeastCodes = 9;  // 4 bits of every round
 
 double LargestCode(SampleType stored) {
     return stored == SampleType::Unorm8 ? 255 : 65535;
@@ -31,10 +32,14 @@ std::vector<double> LightOfCodes(SampleType stored) {
     return light;
 }
 
-// What the first `rounds` rounds leave over of a value, in units.
-double LeftOver(double value, const std::vector<SATCodes>& codes, size_t rounds) {
-    for (size_t i = 0; i < rounds; i++)
-        value -= std::round(value * codes[i].scale) / codes[i].scale;
+// The code of a value in its round, and what the first `rounds` rounds leave over of one.
+double CodeOf(double value, const CodeRound& round) {
+    return std::round(value * round.codes.scale / round.unit);
+}
+
+double LeftOver(double value, std::span<const CodeRound> rounds) {
+    for (const CodeRound& round : rounds)
+        value -= CodeOf(value, round) * round.unit / round.codes.scale;
     return value;
 }
 
@@ -67,20 +72,17 @@ double Tolerance(const Picture& picture, const Values& values, SampleType result
     constexpr double kSteepestSrgb = 12.92;
     constexpr double kShareOfCode = 0.005;
     if (picture.stored == SampleType::Float32 || result == SampleType::Float32)
-        return std::ldexp(std::max(values.smallest, std::ldexp(values.largest, -64)), -20);
+        return std::ldexp(values.smallest, -20);
     const double alpha = HasAlpha(picture) ? 1 / LargestCode(picture.stored) : 1;
     return kShareOfCode / (kSteepestSrgb * LargestCode(result)) * alpha;
 }
 
-// The most a code is from its value after `codes`, less what is allowed; at most 0 where that is enough.
-bool IsFineEnough(const Picture& picture, const std::vector<SATCodes>& codes, double unit, double largest,
-                  double tolerance) {
-    if (0.5 / codes.back().scale * unit <= tolerance) return true;
+// Whether no value is farther from its codes than is allowed.
+bool IsFineEnough(const Picture& picture, const std::vector<CodeRound>& rounds, double tolerance) {
+    if (0.5 * rounds.back().Step() <= tolerance) return true;
     if (picture.stored != SampleType::Float32) return false;
-    const double floor = std::ldexp(largest, -64);
     return std::ranges::all_of(picture.samples, [&](float sample) {
-        const double allowed = std::ldexp(std::max(std::abs(static_cast<double>(sample)), floor), -20);
-        return std::abs(LeftOver(sample / unit, codes, codes.size())) * unit <= allowed;
+        return std::abs(LeftOver(sample, rounds)) <= std::ldexp(std::abs(static_cast<double>(sample)), -20);
     });
 }
 
@@ -89,15 +91,14 @@ bool Holds(SATPrecision precision, const KernelSize& kernel, const SATCodes& cod
                          SATLargestMass(precision, codes));
 }
 
-// The finest codes of values up to `largest` that the words hold; a scale below 1 / largest says that there are none.
-SATCodes FinestCodes(SATPrecision precision, const KernelSize& kernel, double largest, bool isSigned) {
-    SATCodes codes;
-    double scale = std::ldexp(1.0, 62);
-    do {
-        scale /= 2;
-        codes = {static_cast<float>(scale), std::ceil(largest * scale) + 1, isSigned};
-    } while (scale * largest >= 1 && !Holds(precision, kernel, codes));
-    return codes;
+// The finest codes of values up to `largest` that the words hold; codes up to 2 say that there are none to speak of.
+CodeRound FinestCodes(SATPrecision precision, const KernelSize& kernel, double largest, bool isSigned) {
+    CodeRound round{{1, std::ldexp(1.0, 63), isSigned}, std::ldexp(1.0, std::ilogb(largest) - 62)};
+    while (round.codes.largest > 2 && !Holds(precision, kernel, round.codes)) {
+        round.unit *= 2;
+        round.codes.largest = std::ceil(largest / round.unit) + 1;
+    }
+    return round;
 }
 
 }  // namespace
@@ -105,7 +106,7 @@ SATCodes FinestCodes(SATPrecision precision, const KernelSize& kernel, double la
 CodePlan NamedCodes(const Picture& picture, const std::string& name, Transfer transfer, SATPrecision precision) {
     if (picture.stored != SampleType::Float32) {
         const double largest = IsLight(picture, transfer) ? kLinearLargest : LargestCode(picture.stored);
-        return {precision, {{static_cast<float>(largest), largest, false}}};
+        return {precision, {{{static_cast<float>(largest), largest, false}}}};
     }
     if (precision == SATPrecision::U32)
         throw Error("{}: u32 sums 8 and 16-bit pictures; a float picture takes u64 or fp32", name);
@@ -124,7 +125,7 @@ CodePlan NamedCodes(const Picture& picture, const std::string& name, Transfer tr
         codes.largest = std::max(codes.largest, std::abs(code));
         codes.isSigned |= code < 0;
     }
-    return {precision, {codes}};
+    return {precision, {{codes}}};
 }
 
 CodePlan FittingCodes(const Picture& picture, const std::string& name, Transfer transfer, SampleType result,
@@ -132,40 +133,36 @@ CodePlan FittingCodes(const Picture& picture, const std::string& name, Transfer 
     if (picture.stored != SampleType::Float32 && transfer == Transfer::Raw) {
         for (const SATPrecision precision : {SATPrecision::U32, SATPrecision::U64}) {
             const CodePlan own = NamedCodes(picture, name, transfer, precision);
-            if (Holds(precision, kernel, own.rounds[0])) return own;
+            if (Holds(precision, kernel, own.rounds[0].codes)) return own;
         }
     }
     const Values values = ValuesOf(picture, transfer);
     const double tolerance = Tolerance(picture, values, result);
-    CodePlan plan;
-    if (values.largest > 0) plan.unit = std::ldexp(1.0, std::ilogb(values.largest) + 1);
-    double largest = std::max(values.largest, 0x1p-149) / plan.unit;
+    double largest = std::max(values.largest, 0x1p-149);
     if (picture.stored != SampleType::Float32) {
-        plan.unit = largest = 1;
-        plan.rounds = {FinestCodes(SATPrecision::U32, kernel, 1, false)};
-        if (IsFineEnough(picture, plan.rounds, 1, 1, tolerance)) return plan;
-        plan.rounds.clear();
+        const CodePlan narrow{SATPrecision::U32, {FinestCodes(SATPrecision::U32, kernel, largest, false)}};
+        if (IsFineEnough(picture, narrow.rounds, tolerance)) return narrow;
     }
-    plan.precision = SATPrecision::U64;
+    CodePlan plan{SATPrecision::U64, {}};
     do {
         const bool isSigned = values.isSigned || !plan.rounds.empty();
         plan.rounds.push_back(FinestCodes(SATPrecision::U64, kernel, largest, isSigned));
-        const SATCodes& codes = plan.rounds.back();
-        if (largest * codes.scale < 8) {
-            const uint32_t side =
-                SATLargestWidthTexels(SATPrecision::U64, {1, 9, isSigned}, kernel.order, kernel.isWhole);
+        if (plan.rounds.back().codes.largest < kLeastCodes) {
+            const SATCodes least{1, kLeastCodes, isSigned};
+            const uint32_t side = SATLargestWidthTexels(SATPrecision::U64, least, kernel.order, kernel.isWhole);
             throw Error(
-                "{}: a kernel of boxes of {:g} x {:g} texels has sums that 64 bits do not hold; {} x {} is possible",
-                name, kernel.sizeTexels.x, kernel.sizeTexels.y, side, side);
+                "{}: sums over boxes of {:g} x {:g} texels, {} times on either axis, do not fit into 64 bits; {} x "
+                "{} do",
+                name, kernel.sizeTexels.x, kernel.sizeTexels.y, kernel.order, side, side);
         }
-        largest = 0.5 / codes.scale;
-    } while (!IsFineEnough(picture, plan.rounds, plan.unit, values.largest, tolerance));
+        largest = 0.5 * plan.rounds.back().Step();
+    } while (!IsFineEnough(picture, plan.rounds, tolerance));
     return plan;
 }
 
 void AddPlan(Stats& stats, const CodePlan& plan, uint64_t tableBytes) {
     stats.precision = SATPrecisionName(plan.precision);
-    stats.step = plan.Step();
+    stats.step = plan.rounds.back().Step();
     stats.rounds = plan.rounds.size();
     stats.tableBytes = tableBytes;
 }
@@ -184,8 +181,8 @@ CodeWords CodedPicture::Rows(size_t round, uint32_t firstRow, uint32_t rows) con
     const bool isWide = m_plan.precision == SATPrecision::U64;
     const float* sample = m_picture.samples.data() + channels * firstRow * m_picture.widthTexels;
     const auto codeOf = [&](double value) {
-        value = LeftOver(value, m_plan.rounds, round);
-        return static_cast<uint64_t>(static_cast<int64_t>(std::round(value * m_plan.rounds[round].scale)));
+        value = LeftOver(value, std::span(m_plan.rounds).first(round));
+        return static_cast<uint64_t>(static_cast<int64_t>(CodeOf(value, m_plan.rounds[round])));
     };
     // Of opaque 8 and 16-bit pictures, of every code once.
     std::vector<uint64_t> codes;
@@ -205,7 +202,7 @@ CodeWords CodedPicture::Rows(size_t round, uint32_t firstRow, uint32_t rows) con
         for (size_t c = 0; c < channels; c++) {
             uint64_t bits;
             if (isFloat)
-                bits = codeOf(sample[c] / m_plan.unit);
+                bits = codeOf(sample[c]);
             else if (!codes.empty())
                 bits = codes[whole(c)];
             else

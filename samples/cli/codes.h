@@ -29,14 +29,19 @@ struct KernelSize {
     bool isWhole = false;  // SATIsWhole, and one width everywhere
 };
 
-// How the values of a picture are summed.
+// One table's worth of codes: value = unit * code / codes.scale.
+struct CodeRound {
+    SATCodes codes = {};
+    double unit = 1;  // a power of two, that results are multiplied by
+
+    double Step() const { return unit / codes.scale; }
+};
+
+// How the values of a picture are summed: the first round's codes are of the picture, the others' of what the rounds
+// before leave over.
 struct CodePlan {
     SATPrecision precision = SATPrecision::U32;
-    std::vector<SATCodes> rounds = {};  // the first of the picture, the others of what the ones before leave over
-    double unit = 1;                    // values are divided by it before they become codes, results multiplied
-
-    // What the last round's codes are whole multiples of, in the picture's values.
-    double Step() const { return unit / rounds.back().scale; }
+    std::vector<CodeRound> rounds = {};
 };
 
 // The codes of a precision asked for by name. Throws Error, which begins with `name`: a float picture for U32; a
@@ -46,8 +51,7 @@ CodePlan NamedCodes(const Picture& picture, const std::string& name, Transfer tr
 // The codes that keep a filtered picture right: U32 where it holds them, else U64, in as many rounds as it takes.
 //
 //   result  the samples of the file to write. Integers: the codes' own rounding moves no sample by more than 0.005 of
-//           its codes. Floats: each value is kept within 2^-20 of itself; values 2^-64 times the largest and below,
-//           within 2^-84 of the largest.
+//           its codes. Floats: each value is kept within 2^-20 of itself.
 //
 // Throws Error, which begins with `name`: a kernel so wide that 64 bits do not hold 4 bits of each texel.
 CodePlan FittingCodes(const Picture& picture, const std::string& name, Transfer transfer, SampleType result,

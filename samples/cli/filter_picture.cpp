@@ -58,7 +58,7 @@ struct Source {
     const std::vector<glm::vec4>* light = nullptr;  // FP32
 
     size_t Rounds() const { return codes ? codes->Plan().rounds.size() : 1; }
-    double Unit() const { return codes ? codes->Plan().unit : 1; }
+    double Unit(size_t round) const { return codes ? codes->Plan().rounds[round].unit : 1; }
 
     UploadedWords Upload(Device& device, uint32_t widthTexels, size_t round, const Band& band) const {
         if (codes) return codes->Upload(device, round, band.firstRead, band.rowsRead);
@@ -85,7 +85,7 @@ std::vector<glm::vec4> FilterBands(Device& device, const Source& source, BlurDes
         const size_t first = filtered.size();
         filtered.resize(first + size_t{band.rows} * width, glm::vec4(0));
         for (size_t round = source.Rounds(); round-- > 0;) {
-            if (source.codes) desc.codes = source.codes->Plan().rounds[round];
+            if (source.codes) desc.codes = source.codes->Plan().rounds[round].codes;
             Blur blur(device, desc);
             const UploadedWords words = source.Upload(device, width, round, band);
             CommandList commands(device, CommandList::Timing::On);
@@ -93,16 +93,14 @@ std::vector<glm::vec4> FilterBands(Device& device, const Source& source, BlurDes
             commands.SubmitAndWait();
             const auto rows = Download<glm::vec4>(device, result);
             const auto own = RowsOf(rows, width, band.firstRow - band.firstRead, band.rows);
+            const double unit = source.Unit(round);
             for (size_t i = 0; i < own.size(); i++)
-                filtered[first + i] += own[i];
+                filtered[first + i] += glm::vec4(unit * glm::dvec4(own[i]));
             AddTimes(stats.passes, commands.PassTimes());
             stats.deviceBytes = std::max(stats.deviceBytes, device.MemoryBytes());
             stats.tableBytes = std::max(stats.tableBytes, blur.TableBytes());
         }
     }
-    if (source.Unit() != 1)
-        for (glm::vec4& texel : filtered)
-            texel *= static_cast<float>(source.Unit());
     return filtered;
 }
 
@@ -190,7 +188,7 @@ std::vector<glm::vec4> FilterPicture(Device& device, const Picture& picture, con
                                                    : FittingCodes(picture, name, transfer, result, kernel));
         const BlurDesc desc = BlurFor(picture, request, codes.Plan().precision);
         std::vector<glm::vec4> filtered = filterBands({.codes = &codes}, desc);
-        ReportMarked(filtered, desc, codes.Plan().rounds[0], picture, result);
+        ReportMarked(filtered, desc, codes.Plan().rounds[0].codes, picture, result);
         AddPlan(stats, codes.Plan(), stats.tableBytes);
         return filtered;
     }

@@ -22,20 +22,19 @@ std::vector<glm::vec4> FocusPicture(Device& device, const Picture& picture, cons
     std::vector<glm::vec4> focused(desc.extent.Texels(), glm::vec4(0));
     // The finest round first, whose results are the smallest.
     for (size_t round = codes.Plan().rounds.size(); round-- > 0;) {
-        desc.codes = codes.Plan().rounds[round];
+        desc.codes = codes.Plan().rounds[round].codes;
         DepthOfField effect(device, desc);
         const UploadedWords words = codes.Upload(device, round, 0, picture.heightTexels);
         CommandList commands(device, CommandList::Timing::On);
         const Image& image = effect.Record(commands, words, depth, request.lens);
         commands.SubmitAndWait();
         const auto texels = Download<glm::vec4>(device, image);
+        const double unit = codes.Plan().rounds[round].unit;
         for (size_t i = 0; i < texels.size(); i++)
-            focused[i] += texels[i];
+            focused[i] += glm::vec4(unit * glm::dvec4(texels[i]));
         AddTimes(stats.passes, commands.PassTimes());
         stats.deviceBytes = std::max(stats.deviceBytes, device.MemoryBytes());
     }
-    for (glm::vec4& texel : focused)
-        texel *= static_cast<float>(codes.Plan().unit);
     AddPlan(stats, codes.Plan(), SummedAreaTableBytes(desc.extent, desc.precision));
     return focused;
 }
