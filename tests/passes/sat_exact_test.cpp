@@ -234,8 +234,7 @@ std::vector<glm::ivec2> PlacesIn(const reference::CodeImage& image) {
     return places;
 }
 
-// Whole widths: the sum is a whole number, to the last bit. It is turned into a float and divided by the mass; those
-// are the only roundings, and each is that of IEEE 754 where the device divides so.
+// Whole widths: sum and mass are whole numbers, and the mean is their quotient, rounded once.
 TEST(SATOrder, WholeWidthsAreTheRepeatedBoxOverTexelsExactly) {
     for (const Extent2D extent : {Extent2D{1, 1}, Extent2D{6, 1}, Extent2D{12, 19}, Extent2D{49, 2}}) {
         const auto image = RandomCodeImage(extent, 39, 0, 255);
@@ -253,13 +252,12 @@ TEST(SATOrder, WholeWidthsAreTheRepeatedBoxOverTexelsExactly) {
                         for (const glm::ivec2 at : PlacesIn(image)) {
                             const auto sum = reference::WholeSum(image, static_cast<int>(order), at.x, at.y, size.x,
                                                                  size.y, edge.theirs);
-                            const auto mass = static_cast<float>(reference::WholeAxisMass(
-                                                  image.width, static_cast<int>(order), at.x, size.x, edge.theirs)) *
-                                              static_cast<float>(reference::WholeAxisMass(
-                                                  image.height, static_cast<int>(order), at.y, size.y, edge.theirs));
+                            const auto mass = static_cast<double>(reference::WholeMass(
+                                image, static_cast<int>(order), at.x, at.y, size.x, size.y, edge.theirs));
                             for (int c = 0; c < 4; c++)
                                 ASSERT_EQ(blurred[at.y * extent.widthTexels + at.x][c],
-                                          static_cast<float>(sum[static_cast<size_t>(c)]) / (mass * 255.0f))
+                                          static_cast<float>(static_cast<double>(sum[static_cast<size_t>(c)]) /
+                                                             (mass * 255)))
                                     << extent.widthTexels << " x " << extent.heightTexels << ", order " << order
                                     << ", width " << size.x << " x " << size.y << " at " << at.x << ", " << at.y
                                     << ", edge " << static_cast<int>(edge.ours);
@@ -360,6 +358,56 @@ TEST(SATOrder, TentAndParabolicAreTheAnalyticFilterRoundAnyCentre) {
                     ASSERT_NEAR(sampled[at.y * 160 + at.x][c] / 65535, expected[c] / 65535, 1e-5)
                         << "order " << order << ", width " << constants.sizeTexels.x << " x "
                         << constants.sizeTexels.y << " round " << x << ", " << y;
+            }
+        }
+    }
+}
+
+// Sixteen-bit codes under kernels of any width, far from the picture's corner too: the mean is off by its last
+// rounding to float; by as much again where the widths of a disc's boxes, or the corners of a polygon, are rounded.
+TEST(ExactFilter, MeansAreRightToTheLastBit) {
+    constexpr double kUnit = 0x1p-24;
+    const Extent2D extent{9001, 7};
+    reference::CodeImage image = RandomCodeImage(extent, 56, 0, 65535);
+    for (size_t i = 0; i < image.texels.size(); i++)  // black and white: where edges count most
+        if (image.texels[i][3] % 3 == 0) image.texels[i] = {0, 65535, 65535, 0};
+    const auto reference = ToDouble(image);
+    const SATCodes codes{65535, 65535, false};
+    std::vector<glm::ivec2> places;
+    std::mt19937 random(57);
+    for (int i = 0; i < 300; i++)
+        places.emplace_back(i % 3 == 0 ? 8990 + random() % 11 : random() % 9001, random() % 7);
+    for (const glm::vec2 size : {glm::vec2(2.3f), glm::vec2(7.77f, 4), glm::vec2(31.4f)}) {
+        for (uint32_t order = 1; order <= 3; order++) {
+            for (const EdgePair edge : kEdges) {
+                const Texels blurred = BlurCodes(
+                    image, {.precision = SATPrecision::U64, .order = order, .edge = edge.ours, .codes = codes}, size);
+                const bool isWhole = order > 1 && SATIsWhole(size, order);
+                if (isWhole) continue;
+                for (const glm::ivec2 at : places) {
+                    const glm::dvec4 expected = reference::FilterMean(reference, static_cast<int>(order), at.x + 0.5,
+                                                                      at.y + 0.5, size.x, size.y, edge.theirs) /
+                                                65535.0;
+                    for (int c = 0; c < 4; c++)
+                        ASSERT_NEAR(blurred[static_cast<size_t>(at.y) * 9001 + at.x][c], expected[c], 1.5 * kUnit)
+                            << "order " << order << ", " << size.x << " x " << size.y << " at " << at.x << ", "
+                            << at.y << ", edge " << static_cast<int>(edge.ours);
+                }
+            }
+        }
+        for (const uint32_t sides : {0u, 5u, 6u}) {
+            const Texels blurred =
+                BlurCodes(image, {.precision = SATPrecision::U64, .boxes = 16, .sides = sides, .codes = codes},
+                          glm::vec2(size.x));
+            for (const glm::ivec2 at : places) {
+                const glm::dvec4 expected =
+                    (sides == 0 ? reference::DiscMean(reference, at.x + 0.5, at.y + 0.5, size.x, 16, Border::Clip)
+                                : reference::PolygonMean(reference, at.x + 0.5, at.y + 0.5, size.x,
+                                                         static_cast<int>(sides), 16, Border::Clip)) /
+                    65535.0;
+                for (int c = 0; c < 4; c++)
+                    ASSERT_NEAR(blurred[static_cast<size_t>(at.y) * 9001 + at.x][c], expected[c], 2.5 * kUnit)
+                        << sides << " sides, diameter " << size.x << " at " << at.x << ", " << at.y;
             }
         }
     }
