@@ -3,8 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdio>
-#include <iostream>
+#include "samples/cli/console.h"
 
 namespace boxcar {
 namespace {
@@ -18,7 +17,7 @@ public:
     void Next(const std::string& name) {
         Clear();
         m_done++;
-        if (m_shown) fmt::print(stderr, "[{}/{}] {}", m_done, m_total, name);
+        if (m_shown) fmt::print(stderr, "[{}/{}] {}", m_done, m_total, Printable(name));
     }
     void Clear() const {
         if (m_shown) fmt::print(stderr, "\r\033[K");
@@ -49,7 +48,7 @@ void AddBatchOptions(CLI::App& command, BatchOptions& options) {
 void RunBatch(const std::string& command, const BatchOptions& options, const std::vector<Job>& jobs,
               const Work& work) {
     if (options.json && options.files.output == "-")
-        throw UsageError("--json and -o - would both write to standard output");
+        throw UsageError("--json and -o {} would both write to standard output", options.files.output);
     CheckedDevice device(options.device);
     nlohmann::ordered_json document = {{"command", command},
                                        {"device", device->Info().name},
@@ -67,13 +66,13 @@ void RunBatch(const std::string& command, const BatchOptions& options, const std
         } catch (const Error& error) {
             if (jobs.size() == 1) throw;
             progress.Clear();
-            fmt::print(stderr, "boxcar: {}\n", error.what());
+            PrintProblem(error.what());
             document["results"].push_back({{"input", job.input}, {"error", error.what()}});
             failed++;
         }
     }
     progress.Clear();
-    if (options.json) std::cout << document.dump(2) << std::endl;
+    if (options.json) PrintJson(document);
     device.RequireClean();
     if (failed > 0) throw Error("{} of {} inputs failed", failed, jobs.size());
 }

@@ -12,6 +12,7 @@
 
 #include "samples/cli/bspline_figures.h"
 #include "samples/cli/codes.h"
+#include "samples/cli/console.h"
 #include "samples/cli/device_run.h"
 #include "samples/cli/disparity.h"
 #include "samples/cli/effect_figures.h"
@@ -459,7 +460,8 @@ void MakeGallery(const GalleryOptions& options) {
     const std::string html = GalleryPage(gallery.Sections(), device->Info().name + ", " + device->Info().driver);
     WriteFileAtomically(page, {reinterpret_cast<const uint8_t*>(html.data()), html.size()});
     device.RequireClean();
-    fmt::print("{}\n", page);
+    // A script takes the name as it is; a terminal would act on what is in it.
+    PrintDocument((isatty(STDOUT_FILENO) ? Printable(page) : page) + "\n");
 }
 
 }  // namespace

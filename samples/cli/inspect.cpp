@@ -5,12 +5,12 @@
 #include <charconv>
 #include <cmath>
 #include <glm/gtc/packing.hpp>
-#include <iostream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "runtime/transfer.h"
+#include "samples/cli/console.h"
 #include "samples/cli/effect_run.h"
 #include "samples/cli/render.h"
 
@@ -146,10 +146,13 @@ void Inspect(const InspectOptions& options) {
     if (!options.output.empty()) WriteStage(stage, image, options.output);
     const nlohmann::ordered_json summary = Summary(options.stage, stage, pixel);
     if (options.json) {
-        std::cout << summary.dump(2) << std::endl;
+        PrintJson(summary);
     } else {
+        std::string text;
         for (const auto& [key, value] : summary.items())
-            if (!value.is_null()) fmt::print("{:6} {}\n", key, value.is_string() ? options.stage : value.dump());
+            if (!value.is_null())
+                text += fmt::format("{:6} {}\n", key, value.is_string() ? options.stage : value.dump());
+        PrintDocument(text);
     }
     device.RequireClean();
 }

@@ -48,7 +48,8 @@ void AddFormatOption(CLI::App& command, std::string& word) {
 
 void RequireFolder(const std::string& path) {
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    if (path != "-" && !folder.empty() && !std::filesystem::is_directory(folder))
+    std::error_code unseen;
+    if (path != "-" && !folder.empty() && !std::filesystem::is_directory(folder, unseen))
         throw Error("{}: there is no folder {}", path, folder.string());
 }
 
