@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include "samples/cli/console.h"
+#include "samples/files/bytes.h"
 
 namespace boxcar {
 namespace {
@@ -47,7 +48,7 @@ void AddBatchOptions(CLI::App& command, BatchOptions& options) {
 
 void RunBatch(const std::string& command, const BatchOptions& options, const std::vector<Job>& jobs,
               const Work& work) {
-    if (options.json && options.files.output == "-")
+    if (options.json && IsStandardOutput(options.files.output))
         throw UsageError("--json and -o {} would both write to standard output", options.files.output);
     CheckedDevice device(options.device);
     nlohmann::ordered_json document = {{"command", command},
