@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <glm/common.hpp>
@@ -363,7 +364,7 @@ void Gallery::LensOnAPhotograph() {
     const Photograph depth("aloeGT.png", boxcar_aloeGT_png, boxcar_aloeGT_png_end, Transfer::Raw);
     std::vector<float> disparity;
     for (const glm::vec4& texel : depth.texels)
-        disparity.push_back(texel.r);
+        disparity.push_back(texel.r > 0 ? texel.r : NAN);
     FillUnknown(disparity, depth.Extent());
     Texels widths;
     for (const float value : disparity)
