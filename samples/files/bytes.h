@@ -26,18 +26,9 @@ Bytes ReadBytes(const std::string& path, uint64_t maxBytes, const std::function<
 // Whether writing to `path` writes to standard output: "-", or a name or link that ends there, such as /dev/stdout.
 bool IsStandardOutput(const std::string& path);
 
-// Writes `bytes` to `path` whole, or leaves it as it was: they go to a new file in the same folder, which then takes
-// the name. A link stays, and what it points to is written. A file that is replaced hands on its owner, group and
-// permissions; its access control lists, extended attributes and other hard links stay with the old bytes.
-//
-// Written directly, so that a failure in the midst leaves a part:
-//   "-", /dev/stdout, /dev/fd/N, ..  the descriptor as it is: where it stands, at the end if it was opened to append
-//   no regular file                  a FIFO, a device such as /dev/null
-//   a file whose folder takes no     over its old bytes; what cannot be kept by a new file (above) is kept. A disk
-//   new one, or no new one that has  that is full is noticed before the first of them is lost, where the file system
-//   the same owner and permissions   can tell
-//
-// A signal that ends the process leaves no temporary file (tools/layout/temporary_file.h).
+// Writes `bytes` to `path` whole, or leaves it as it was, but for the few kinds of path that
+// tools/layout/output_file.h names; it also says what becomes of links, owners and permissions. "-" is standard
+// output. A signal that ends the process leaves no temporary file.
 void WriteFileAtomically(const std::string& path, ByteView bytes);
 
 }  // namespace boxcar
