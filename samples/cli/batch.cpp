@@ -43,7 +43,8 @@ void AddBatchOptions(CLI::App& command, BatchOptions& options) {
     AddDeviceOptions(command, options.device);
     command.add_flag("--stats", options.stats,
                      "Print device, passes, milliseconds a pass and device memory to stderr");
-    command.add_flag("--json", options.json, "Print the same as one JSON document on stdout");
+    command.add_flag("--json", options.json,
+                     "Print the same as one JSON document on stdout; bytes of names that are not UTF-8 as \\xHH");
 }
 
 void RunBatch(const std::string& command, const BatchOptions& options, const std::vector<Job>& jobs,
