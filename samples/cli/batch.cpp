@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdio>
-#include <iostream>
+#include "samples/cli/console.h"
+#include "samples/files/bytes.h"
 
 namespace boxcar {
 namespace {
@@ -18,7 +18,7 @@ public:
     void Next(const std::string& name) {
         Clear();
         m_done++;
-        if (m_shown) fmt::print(stderr, "[{}/{}] {}", m_done, m_total, name);
+        if (m_shown) fmt::print(stderr, "[{}/{}] {}", m_done, m_total, Printable(name));
     }
     void Clear() const {
         if (m_shown) fmt::print(stderr, "\r\033[K");
@@ -43,13 +43,14 @@ void AddBatchOptions(CLI::App& command, BatchOptions& options) {
     AddDeviceOptions(command, options.device);
     command.add_flag("--stats", options.stats,
                      "Print device, passes, milliseconds a pass and device memory to stderr");
-    command.add_flag("--json", options.json, "Print the same as one JSON document on stdout");
+    command.add_flag("--json", options.json,
+                     "Print the same as one JSON document on stdout; bytes of names that are not UTF-8 as \\xHH");
 }
 
 void RunBatch(const std::string& command, const BatchOptions& options, const std::vector<Job>& jobs,
               const Work& work) {
-    if (options.json && options.files.output == "-")
-        throw UsageError("--json and -o - would both write to standard output");
+    if (options.json && IsStandardOutput(options.files.output))
+        throw UsageError("--json and -o {} would both write to standard output", options.files.output);
     CheckedDevice device(options.device);
     nlohmann::ordered_json document = {{"command", command},
                                        {"device", device->Info().name},
@@ -67,13 +68,13 @@ void RunBatch(const std::string& command, const BatchOptions& options, const std
         } catch (const Error& error) {
             if (jobs.size() == 1) throw;
             progress.Clear();
-            fmt::print(stderr, "boxcar: {}\n", error.what());
+            PrintProblem(error.what());
             document["results"].push_back({{"input", job.input}, {"error", error.what()}});
             failed++;
         }
     }
     progress.Clear();
-    if (options.json) std::cout << document.dump(2) << std::endl;
+    if (options.json) PrintJson(document);
     device.RequireClean();
     if (failed > 0) throw Error("{} of {} inputs failed", failed, jobs.size());
 }

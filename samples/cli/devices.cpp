@@ -2,16 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "runtime/device.h"
+#include "samples/cli/console.h"
 
 namespace boxcar {
 namespace {
 
-void PrintJson(const std::vector<DeviceInfo>& devices) {
+void PrintAsJson(const std::vector<DeviceInfo>& devices) {
     auto document = nlohmann::ordered_json::array();
     for (const DeviceInfo& device : devices)
         document.push_back({{"index", device.index},
@@ -21,15 +21,17 @@ void PrintJson(const std::vector<DeviceInfo>& devices) {
                             {"api_version", device.apiVersion},
                             {"usable", device.unusable.empty()},
                             {"why_not", device.unusable}});
-    std::cout << document.dump(2) << std::endl;
+    PrintJson(document);
 }
 
 void PrintTable(const std::vector<DeviceInfo>& devices) {
+    std::string text;
     for (const DeviceInfo& device : devices) {
-        fmt::print("{}  {}\n   {}, Vulkan {}, {}\n", device.index, device.name, device.kind, device.apiVersion,
-                   device.driver);
-        if (!device.unusable.empty()) fmt::print("   cannot be used: {}\n", device.unusable);
+        text += fmt::format("{}  {}\n   {}, Vulkan {}, {}\n", device.index, device.name, device.kind,
+                            device.apiVersion, device.driver);
+        if (!device.unusable.empty()) text += fmt::format("   cannot be used: {}\n", device.unusable);
     }
+    PrintDocument(text);
 }
 
 }  // namespace
@@ -39,7 +41,7 @@ void AddDevicesCommand(CLI::App& app) {
     CLI::App& command = *app.add_subcommand("devices", "List the Vulkan devices that --device can name");
     command.footer("Example:\n  boxcar devices --json");
     command.add_flag("--json", *json, "Print one JSON document");
-    command.callback([json] { *json ? PrintJson(ListDevices()) : PrintTable(ListDevices()); });
+    command.callback([json] { *json ? PrintAsJson(ListDevices()) : PrintTable(ListDevices()); });
 }
 
 }  // namespace boxcar

@@ -41,17 +41,17 @@ std::vector<int64_t> NearestOf(const std::vector<int64_t>& height) {
 
 }  // namespace
 
-void FillUnknown(std::vector<float>& disparity, Extent2D extent) {
+bool FillUnknown(std::vector<float>& depth, Extent2D extent) {
     const size_t width = extent.widthTexels, height = extent.heightTexels;
-    const auto known = [](float value) { return value > 0; };
-    if (std::ranges::none_of(disparity, known)) return;
+    const auto known = [](float value) { return !std::isnan(value); };
+    if (std::ranges::none_of(depth, known)) return false;
 
     // Down each column: the nearest known row, and how far it is, squared.
-    std::vector<uint32_t> row(disparity.size());
-    std::vector<int64_t> distance(disparity.size(), kFar);
+    std::vector<uint32_t> row(depth.size());
+    std::vector<int64_t> distance(depth.size(), kFar);
     const auto look = [&](size_t x, size_t y, int64_t& last) {
         const size_t at = y * width + x;
-        if (known(disparity[at])) last = static_cast<int64_t>(y);
+        if (known(depth[at])) last = static_cast<int64_t>(y);
         const int64_t away = (static_cast<int64_t>(y) - last) * (static_cast<int64_t>(y) - last);
         if (last >= 0 && away < distance[at]) {
             distance[at] = away;
@@ -67,24 +67,17 @@ void FillUnknown(std::vector<float>& disparity, Extent2D extent) {
     }
 
     // Along each row: the column whose known texel is nearest.
-    const std::vector<float> source = disparity;
+    const std::vector<float> source = depth;
     for (size_t y = 0; y < height; y++) {
         const auto begin = distance.begin() + static_cast<std::ptrdiff_t>(y * width);
         const std::vector<int64_t> column =
             NearestOf(std::vector<int64_t>(begin, begin + static_cast<std::ptrdiff_t>(width)));
         for (size_t x = 0; x < width; x++) {
             const auto from = static_cast<size_t>(column[x]);
-            disparity[y * width + x] = source[row[y * width + from] * width + from];
+            depth[y * width + x] = source[row[y * width + from] * width + from];
         }
     }
-}
-
-void DistanceToDisparity(std::vector<float>& distance) {
-    float nearest = std::numeric_limits<float>::infinity();
-    for (const float value : distance)
-        if (value > 0) nearest = std::min(nearest, value);
-    for (float& value : distance)
-        value = value > 0 ? nearest / value : 0;
+    return true;
 }
 
 }  // namespace boxcar

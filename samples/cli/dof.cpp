@@ -4,22 +4,16 @@
 #include <memory>
 
 #include "samples/cli/batch.h"
-#include "samples/cli/device_run.h"
-#include "samples/cli/disparity.h"
+#include "samples/cli/depth.h"
 #include "samples/cli/focus_picture.h"
 #include "samples/cli/light.h"
-#include "samples/effects/layered_depth_of_field.h"
 
 namespace boxcar {
 namespace {
 
-constexpr int kLayersPerSide = 8;
-
 struct DofOptions : BatchOptions {
-    std::string depth;
-    std::string depthIs = "disparity";
+    DepthOptions depth;
     std::string method = "single";
-    double focus = -1;
     double aperture = -1;
     TapsOption taps;
     DiscOptions disc;
@@ -28,98 +22,40 @@ struct DofOptions : BatchOptions {
 void RequirePossible(const DofOptions& options) {
     if (options.files.inputs.size() > 1)
         throw UsageError("{} inputs: dof takes one picture and its --depth", options.files.inputs.size());
-    if (options.depth == "-" && options.files.inputs[0] == "-")
+    if (options.depth.path == "-" && options.files.inputs[0] == "-")
         throw UsageError("--depth - and IN -: both would read standard input");
-    if (!(options.focus >= 0 && options.focus <= 1))
-        throw UsageError("--focus {:g}: expected 0 to 1, a grey of the depth", options.focus);
+    RequireWords(options.depth);
     if (!(options.aperture >= 0 && options.aperture <= kMaxSizeTexels))
         throw UsageError("--aperture {:g}: expected texels, 0 to {:.0f}", options.aperture, kMaxSizeTexels);
 }
 
 // Disparity of every texel, in alpha.
-std::vector<glm::vec4> ReadDisparity(const Picture& picture, const Device& device, const DofOptions& options) {
-    const Picture depth = ReadBeside(picture, options.depth, "depth", device, options.read);
-    std::vector<float> disparity;
-    for (size_t i = 0; i < depth.samples.size(); i += depth.channels) {
-        if (depth.samples[i] < 0)
-            throw Error("{}: {:g} in its red; depth is 0 (unknown) or more", options.depth, depth.samples[i]);
-        disparity.push_back(depth.samples[i]);
-    }
-    if (options.depthIs == "distance") DistanceToDisparity(disparity);
-    FillUnknown(disparity, {depth.widthTexels, depth.heightTexels});
+std::vector<glm::vec4> InAlpha(const std::vector<float>& disparity) {
     std::vector<glm::vec4> texels;
     for (const float value : disparity)
         texels.emplace_back(0, 0, 0, value);
     return texels;
 }
 
-// A picture with what stands in every method.
-struct Photograph {
-    const Picture& picture;
-    const std::string& name;
-    Transfer transfer;
-    Extent2D extent;
-    std::vector<glm::vec4> depth;
-    Lens lens;
-    float largestTexels;  // circle of confusion
-};
-
-std::vector<glm::vec4> FocusByLayers(Device& device, const Photograph& photograph, const DofOptions& options,
-                                     Stats& stats) {
-    const auto& [picture, name, transfer, extent, depth, lens, largestTexels] = photograph;
-    if (picture.channels == 2 || picture.channels == 4)
-        throw Error("{}: {} channels; --method layered takes pictures without alpha", name, picture.channels);
-    std::vector<glm::vec4> texels = ToLight(picture, transfer);
-    float nearest = 0;
-    for (size_t i = 0; i < texels.size(); i++) {
-        const float most = std::max({texels[i].r, texels[i].g, texels[i].b});
-        if (!(most <= kBrightestLensLight))
-            throw Error("{}: light of {:g}; --method layered takes it up to {:g}", name, most, kBrightestLensLight);
-        texels[i].a = depth[i].a;
-        nearest = std::max(nearest, depth[i].a);
-    }
-    const LayeredDepthOfFieldDesc desc{.extent = extent,
-                                       .boxes = options.disc.Boxes(),
-                                       .sides = options.disc.Sides(),
-                                       .largestTexels = largestTexels};
-    LayeredDepthOfField effect(device, desc);
-    const Image image = Upload(device, extent, std::span<const glm::vec4>(texels), "picture and disparity");
-    CommandList commands(device, CommandList::Timing::On);
-    const Image& result = effect.Record(commands, image, nullptr, lens, nearest, kLayersPerSide);
-    commands.SubmitAndWait();
-    stats.precision = SATPrecisionName(effect.Precision());
-    stats.tableBytes = SummedAreaTableBytes(extent, effect.Precision());
-    stats.passes = commands.PassTimes();
-    stats.deviceBytes = device.MemoryBytes();
-    return Download<glm::vec4>(device, result);
-}
-
 Stats Focus(Device& device, const Job& job, const DofOptions& options) {
     const Picture picture = ReadForDevice(job.input, device, options.read);
     RequireWritable(job.output, job.format, picture.channels);
     const Transfer transfer = TransferOf(options.read);
-    const Extent2D extent{picture.widthTexels, picture.heightTexels};
-    std::vector<glm::vec4> depth = ReadDisparity(picture, device, options);
+    const DepthMap depth = ReadDepth(options.depth, picture, device);
     float largestDifference = 0;
-    for (const glm::vec4& texel : depth)
-        largestDifference = std::max(largestDifference, std::abs(texel.a - static_cast<float>(options.focus)));
-    const Lens lens{static_cast<float>(options.focus), static_cast<float>(options.aperture)};
-    const Photograph photograph{picture,
-                                job.input,
-                                transfer,
-                                extent,
-                                std::move(depth),
-                                lens,
-                                std::clamp(lens.apertureTexels * largestDifference, 1.0f, kMaxSizeTexels)};
-
+    for (const float disparity : depth.disparity)
+        largestDifference = std::max(largestDifference, std::abs(disparity - depth.focusDisparity));
+    const auto aperture = static_cast<float>(options.aperture);
+    const FocusRequest request{.lens = {depth.focusDisparity, aperture},
+                               .largestTexels = std::clamp(aperture * largestDifference, 1.0f, kMaxSizeTexels),
+                               .boxes = options.disc.Boxes(),
+                               .sides = options.disc.Sides(),
+                               .taps = options.taps.Count()};
     const SampleType sampleType = SampleTypeFor(job.format, picture.stored);
-    Stats stats{.input = job.input, .output = job.output, .extent = extent};
-    const std::vector<glm::vec4> focused = options.method == "layered"
-                                               ? FocusByLayers(device, photograph, options, stats)
-                                               : FocusPicture(device, picture, job.input, transfer,
-                                                              {lens, photograph.largestTexels, options.disc.Boxes(),
-                                                               options.disc.Sides(), options.taps.Count()},
-                                                              photograph.depth, sampleType, stats);
+    Stats stats{.input = job.input, .output = job.output, .extent = {picture.widthTexels, picture.heightTexels}};
+    const auto focus = options.method == "layered" ? FocusPictureByLayers : FocusPicture;
+    const std::vector<glm::vec4> focused =
+        focus(device, picture, job.input, transfer, request, InAlpha(depth.disparity), sampleType, stats);
     RequireFiniteSums(focused, job.input);
     WritePicture(FromLight(focused, picture, transfer, sampleType), job.output, job.format, sampleType);
     return stats;
@@ -131,31 +67,30 @@ void AddDofCommand(CLI::App& app) {
     const auto options = std::make_shared<DofOptions>();
     CLI::App& command = *app.add_subcommand("dof", "Depth of field on a photograph whose depth is known");
     command.footer(
-        "A thin lens: a texel of disparity D (1 / distance; brighter is nearer) becomes the mean over a circle of\n"
-        "max(1, A |D - F|) texels. Depth of 0 is unknown and takes the nearest known value. By one table of the "
-        "whole\n"
-        "picture what is sharp bleeds into what is blurred beside it; in layers of depth it does not, and what is "
-        "near\n"
-        "has soft rims.\n\n"
-        "Example:\n"
-        "  boxcar dof photo.jpg --depth disparity.png --focus 0.5 --aperture 100 -o focused.png");
+        "A thin lens: a texel becomes the mean over a circle whose diameter in texels, 1 at least, is\n"
+        "  A |D - F|      of a disparity D (1 / distance, in any unit), where F is in focus\n"
+        "  A |F / D - 1|  of a distance D\n"
+        "A depth that is unknown becomes the nearest known one. A disparity of 0, where --unknown does not name "
+        "zero,\n"
+        "is infinitely far. --nan is for IN alone. By one table of the whole picture what is sharp bleeds into what\n"
+        "is blurred beside it; in layers of depth it does not, and what is near has soft rims.\n\n"
+        "Examples:\n"
+        "  a stereo data set, such as Middlebury's: disparity in pixels, infinity is unknown\n"
+        "    boxcar dof im0.png --depth disp0.pfm --unknown inf --focus 60 --aperture 0.4 -o focused.png\n"
+        "  another, such as KITTI's: 16 bits, 256 to a pixel, 0 is unknown\n"
+        "    boxcar dof left.png --depth disp.png --depth-scale 1/256 --focus 60 --aperture 0.4 -o focused.png\n"
+        "  a depth camera: 16-bit millimeters, 0 is unknown; sharp at 1.2 m, 30 texels at infinity\n"
+        "    boxcar dof color.png --depth depth.png --depth-is distance --focus 1200 --aperture 30 -o focused.png\n"
+        "  a neural depth map: white is near, black is far and known; sharp is what is seen at 320,200\n"
+        "    boxcar dof photo.jpg --depth inverse.png --unknown none --focus 320,200 --aperture 100 -o focused.png");
     AddBatchOptions(command, *options);
     AddTapsOption(command, options->taps);
-    command.add_option("--depth", options->depth, "Picture of the depth, as large as IN; its red, raw, is read")
-        ->required()
-        ->type_name("D");
+    AddDepthOptions(command, options->depth);
     command
         .add_option(
-            "--depth-is", options->depthIs,
-            "disparity: brighter is nearer (default); distance: brighter is farther, and the nearest becomes 1")
-        ->check(CLI::IsMember({"disparity", "distance"}))
-        ->type_name("K");
-    command.add_option("--focus", options->focus, "What is sharp: a disparity from 0 to 1")
-        ->required()
-        ->type_name("F");
-    command
-        .add_option("--aperture", options->aperture,
-                    "Diameter of the circle for a disparity that differs by 1, texels")
+            "--aperture", options->aperture,
+            "Diameter of the circle, texels: for a disparity that differs by 1 from the focus; where depth is "
+            "distance, of what is infinitely far")
         ->required()
         ->type_name("A");
     command.add_option("--method", options->method, "single: one table (default); layered: a table a layer of depth")

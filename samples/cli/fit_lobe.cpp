@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
 
+#include "samples/cli/console.h"
 #include "samples/cli/render.h"
 #include "samples/effects/lobe_fit.h"
 #include "tools/layout/error.h"
@@ -35,18 +35,19 @@ void Fit(const FitOptions& options) {
     if (options.json) {
         const nlohmann::ordered_json document = {
             {"half_widths", fit.halfWidths}, {"weights", fit.weights}, {"relative_error", fit.relativeError}};
-        std::cout << document.dump(2) << std::endl;
+        PrintJson(document);
         return;
     }
-    fmt::print("half-width  of a cone  texels of 256   weight\n");
+    std::string text = "half-width  of a cone  texels of 256   weight\n";
     for (size_t i = 0; i < fit.weights.size(); i++) {
         const double degrees = 2 * std::atan(fit.halfWidths[i]) * 180 / std::numbers::pi;
-        fmt::print("{:10.5f}  {:6.2f} deg  {:13.2f}  {:7.4f}\n", fit.halfWidths[i], degrees, 256 * fit.halfWidths[i],
-                   fit.weights[i]);
+        text += fmt::format("{:10.5f}  {:6.2f} deg  {:13.2f}  {:7.4f}\n", fit.halfWidths[i], degrees,
+                            256 * fit.halfWidths[i], fit.weights[i]);
     }
-    fmt::print("relative L2 error {:.1f} %\n", 100 * fit.relativeError);
+    text += fmt::format("relative L2 error {:.1f} %\n", 100 * fit.relativeError);
     if (fit.halfWidths.back() > std::tan(std::numbers::pi / 8))
-        fmt::print("boxes of more than 45 degrees are cut at that by hlsl/boxcar/dual_paraboloid_sat.hlsli\n");
+        text += "boxes of more than 45 degrees are cut at that by hlsl/boxcar/dual_paraboloid_sat.hlsli\n";
+    PrintDocument(text);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "samples/cli/codes.h"
+#include "samples/cli/light.h"
+#include "samples/effects/layered_depth_of_field.h"
 
 namespace boxcar {
 
@@ -37,6 +39,38 @@ std::vector<glm::vec4> FocusPicture(Device& device, const Picture& picture, cons
     }
     AddPlan(stats, codes.Plan(), SummedAreaTableBytes(desc.extent, desc.precision));
     return focused;
+}
+
+std::vector<glm::vec4> FocusPictureByLayers(Device& device, const Picture& picture, const std::string& name,
+                                            Transfer transfer, const FocusRequest& request,
+                                            const std::vector<glm::vec4>& disparity, SampleType, Stats& stats) {
+    constexpr int kLayersPerSide = 8;
+    if (HasAlpha(picture))
+        throw Error("{}: {} channels; --method layered takes pictures without alpha", name, picture.channels);
+    std::vector<glm::vec4> texels = ToLight(picture, transfer);
+    float nearest = 0;
+    for (size_t i = 0; i < texels.size(); i++) {
+        const float most = std::max({texels[i].r, texels[i].g, texels[i].b});
+        if (!(most <= kBrightestLensLight))
+            throw Error("{}: light of {:g}; --method layered takes it up to {:g}", name, most, kBrightestLensLight);
+        texels[i].a = disparity[i].a;
+        nearest = std::max(nearest, disparity[i].a);
+    }
+    const LayeredDepthOfFieldDesc desc{.extent = {picture.widthTexels, picture.heightTexels},
+                                       .boxes = request.boxes,
+                                       .sides = request.sides,
+                                       .largestTexels = request.largestTexels};
+    LayeredDepthOfField effect(device, desc);
+    const Image image = Upload(device, desc.extent, std::span<const glm::vec4>(texels), "picture and disparity");
+    CommandList commands(device, CommandList::Timing::On);
+    const Image& result = effect.Record(commands, image, nullptr, request.lens, nearest, kLayersPerSide);
+    commands.SubmitAndWait();
+    stats.precision = SATPrecisionName(effect.Precision());
+    stats.step = 1.0 / kLensCodes.scale;
+    stats.tableBytes = SummedAreaTableBytes(desc.extent, effect.Precision());
+    stats.passes = commands.PassTimes();
+    stats.deviceBytes = device.MemoryBytes();
+    return Download<glm::vec4>(device, result);
 }
 
 }  // namespace boxcar

@@ -1,4 +1,4 @@
-// Depth of field on a picture, under one table of it.
+// Depth of field on a picture: under one table of it, or in layers of depth.
 #pragma once
 
 #include <string>
@@ -30,5 +30,13 @@ struct FocusRequest {
 std::vector<glm::vec4> FocusPicture(Device& device, const Picture& picture, const std::string& name,
                                     Transfer transfer, const FocusRequest& request,
                                     const std::vector<glm::vec4>& disparity, SampleType result, Stats& stats);
+
+// The same in layers of depth, which do not bleed into each other (layered_depth_of_field.h). No table is as large as
+// the picture's own precision asks for: light is summed in steps of Stats::step.
+//
+// Throws Error, which begins with `name`: a picture with alpha, or brighter than kBrightestLensLight.
+std::vector<glm::vec4> FocusPictureByLayers(Device& device, const Picture& picture, const std::string& name,
+                                            Transfer transfer, const FocusRequest& request,
+                                            const std::vector<glm::vec4>& disparity, SampleType result, Stats& stats);
 
 }  // namespace boxcar

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <glm/common.hpp>
@@ -11,6 +12,7 @@
 #include <memory>
 
 #include "samples/cli/bspline_figures.h"
+#include "samples/cli/console.h"
 #include "samples/cli/device_run.h"
 #include "samples/cli/disparity.h"
 #include "samples/cli/effect_figures.h"
@@ -350,7 +352,7 @@ void Gallery::LensOnAPhotograph() {
     const Photograph depth("aloeGT.png", boxcar_aloeGT_png, boxcar_aloeGT_png_end, Transfer::Raw);
     std::vector<float> disparity;
     for (const glm::vec4& texel : depth.texels)
-        disparity.push_back(texel.r);
+        disparity.push_back(texel.r > 0 ? texel.r : NAN);
     FillUnknown(disparity, depth.Extent());
     Texels widths;
     for (const float value : disparity)
@@ -441,7 +443,8 @@ void MakeGallery(const GalleryOptions& options) {
     const std::string html = GalleryPage(gallery.Sections(), device->Info().name + ", " + device->Info().driver);
     WriteFileAtomically(page, {reinterpret_cast<const uint8_t*>(html.data()), html.size()});
     device.RequireClean();
-    fmt::print("{}\n", page);
+    // A script takes the name as it is; a terminal would act on what is in it.
+    PrintDocument((isatty(STDOUT_FILENO) ? Printable(page) : page) + "\n");
 }
 
 }  // namespace

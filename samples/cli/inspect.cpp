@@ -2,15 +2,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <glm/gtc/packing.hpp>
-#include <iostream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "runtime/transfer.h"
+#include "samples/cli/console.h"
 #include "samples/cli/effect_run.h"
 #include "samples/cli/render.h"
 
@@ -54,22 +53,6 @@ StageTexels ReadStage(Device& device, const Image& image) {
         default: convert(reinterpret_cast<const float*>(bytes.data()), asDouble); break;
     }
     return stage;
-}
-
-std::optional<glm::uvec2> ParsePixel(const std::string& text, Extent2D extent) {
-    if (text.empty()) return {};
-    glm::uvec2 pixel(0);
-    const char* const end = text.data() + text.size();
-    const auto x = std::from_chars(text.data(), end, pixel.x);
-    bool isRight = x.ec == std::errc() && x.ptr != end && *x.ptr == ',';
-    if (isRight) {
-        const auto y = std::from_chars(x.ptr + 1, end, pixel.y);
-        isRight = y.ec == std::errc() && y.ptr == end;
-    }
-    if (!isRight || pixel.x >= extent.widthTexels || pixel.y >= extent.heightTexels)
-        throw UsageError("--pixel {}: expected x,y from 0,0 to {},{}", text, extent.widthTexels - 1,
-                         extent.heightTexels - 1);
-    return pixel;
 }
 
 const Image& FindStage(const std::vector<EffectStage>& stages, const std::string& name) {
@@ -141,15 +124,19 @@ void Inspect(const InspectOptions& options) {
     EffectRun run(*device, options, settings);
     run.Samples(options.timeSeconds);
     const Image& image = FindStage(run.Stages(), options.stage);
-    const auto pixel = ParsePixel(options.pixel, image.Extent());
+    std::optional<glm::uvec2> pixel;
+    if (!options.pixel.empty()) pixel = ParseTexel("--pixel", options.pixel, image.Extent());
     const StageTexels stage = ReadStage(*device, image);
     if (!options.output.empty()) WriteStage(stage, image, options.output);
     const nlohmann::ordered_json summary = Summary(options.stage, stage, pixel);
     if (options.json) {
-        std::cout << summary.dump(2) << std::endl;
+        PrintJson(summary);
     } else {
+        std::string text;
         for (const auto& [key, value] : summary.items())
-            if (!value.is_null()) fmt::print("{:6} {}\n", key, value.is_string() ? options.stage : value.dump());
+            if (!value.is_null())
+                text += fmt::format("{:6} {}\n", key, value.is_string() ? options.stage : value.dump());
+        PrintDocument(text);
     }
     device.RequireClean();
 }

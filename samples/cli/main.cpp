@@ -4,8 +4,13 @@
 //   devices
 //
 // Exit codes: 0; 1 the work failed, in one line; 2 the command line is wrong, in one line.
-#include <fmt/format.h>
+#include <fcntl.h>
+#include <unistd.h>
 
+#include <csignal>
+#include <sstream>
+
+#include "samples/cli/console.h"
 #include "samples/cli/devices.h"
 #include "samples/cli/dof.h"
 #include "samples/cli/filter.h"
@@ -18,13 +23,33 @@
 namespace {
 
 int Fail(int exitCode, std::string_view text) {
-    fmt::print(stderr, "boxcar: {}\n", text.substr(0, text.find('\n')));
+    boxcar::PrintProblem(text);
     return exitCode;
+}
+
+// A standard stream that the caller has closed would be the next file to be opened, which then gets what is meant for
+// the stream. Here reading from it and writing to it fail.
+void OccupyStandardDescriptors() {
+    for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (::fcntl(fd, F_GETFD) < 0) ::open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
+// Does what the command line says; the help and the version are documents like others.
+void Run(CLI::App& app, int argc, char** argv) {
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& success) {
+        std::ostringstream text;
+        app.exit(success, text, text);
+        boxcar::PrintDocument(text.str());
+    }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+    OccupyStandardDescriptors();
+    std::signal(SIGXFSZ, SIG_IGN);  // a limit of a file's size is then an error of write(2)
     CLI::App app("Filters pictures and draws effects with summed-area tables on a Vulkan device.", "boxcar");
     app.set_version_flag("--version", "boxcar " BOXCAR_VERSION);
     app.require_subcommand(1);
@@ -43,10 +68,8 @@ int main(int argc, char** argv) {
     boxcar::AddFitLobeCommand(app);
     boxcar::AddDevicesCommand(app);
     try {
-        app.parse(argc, argv);
+        Run(app, argc, argv);
         return 0;
-    } catch (const CLI::Success& success) {
-        return app.exit(success);
     } catch (const CLI::ParseError& error) {
         return Fail(2, error.what());
     } catch (const boxcar::UsageError& error) {

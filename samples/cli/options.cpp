@@ -19,6 +19,16 @@ double ParseLength(const std::string& flag, const std::string& whole, std::strin
     return value;
 }
 
+// Two whole numbers with `between` them.
+std::optional<glm::uvec2> ParsePair(const std::string& text, char between) {
+    glm::uvec2 pair(0);
+    const char* const end = text.data() + text.size();
+    const auto x = std::from_chars(text.data(), end, pair.x);
+    if (x.ec != std::errc() || x.ptr == end || *x.ptr != between) return {};
+    const auto y = std::from_chars(x.ptr + 1, end, pair.y);
+    return y.ec == std::errc() && y.ptr == end ? std::optional(pair) : std::nullopt;
+}
+
 }  // namespace
 
 void AddDeviceOptions(CLI::App& command, DeviceOptions& options) {
@@ -48,7 +58,8 @@ void AddFormatOption(CLI::App& command, std::string& word) {
 
 void RequireFolder(const std::string& path) {
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    if (path != "-" && !folder.empty() && !std::filesystem::is_directory(folder))
+    std::error_code unseen;
+    if (path != "-" && !folder.empty() && !std::filesystem::is_directory(folder, unseen))
         throw Error("{}: there is no folder {}", path, folder.string());
 }
 
@@ -85,12 +96,17 @@ Picture ReadForDevice(const std::string& path, const Device& device, const ReadO
     return picture;
 }
 
-Picture ReadBeside(const Picture& picture, const std::string& path, const std::string& what, const Device& device,
-                   const ReadOptions& options) {
-    Picture beside = ReadForDevice(path, device, options);
+void RequireSameSize(const Picture& picture, const Picture& beside, const std::string& path,
+                     const std::string& what) {
     if (beside.widthTexels != picture.widthTexels || beside.heightTexels != picture.heightTexels)
         throw Error("{}: {} x {} texels; the {} must be as large as the picture, {} x {}", path, beside.widthTexels,
                     beside.heightTexels, what, picture.widthTexels, picture.heightTexels);
+}
+
+Picture ReadBeside(const Picture& picture, const std::string& path, const std::string& what, const Device& device,
+                   const ReadOptions& options) {
+    Picture beside = ReadForDevice(path, device, options);
+    RequireSameSize(picture, beside, path, what);
     return beside;
 }
 
@@ -173,19 +189,20 @@ glm::vec2 ParseSize(const std::string& flag, const std::string& text) {
     return {width, height};
 }
 
+glm::uvec2 ParseTexel(const std::string& flag, const std::string& text, Extent2D extent) {
+    const auto texel = ParsePair(text, ',');
+    if (!texel || texel->x >= extent.widthTexels || texel->y >= extent.heightTexels)
+        throw UsageError("{} {}: expected x,y from 0,0 to {},{}", flag, text, extent.widthTexels - 1,
+                         extent.heightTexels - 1);
+    return *texel;
+}
+
 Extent2D ParseExtent(const std::string& text) {
-    Extent2D extent;
-    const char* const end = text.data() + text.size();
-    const auto width = std::from_chars(text.data(), end, extent.widthTexels);
-    bool isRight = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
-    if (isRight) {
-        const auto height = std::from_chars(width.ptr + 1, end, extent.heightTexels);
-        isRight = height.ec == std::errc() && height.ptr == end;
-    }
+    const auto extent = ParsePair(text, 'x');
     const auto fits = [](uint32_t side) { return side >= 1 && side <= kMaxSideTexels; };
-    if (!isRight || !fits(extent.widthTexels) || !fits(extent.heightTexels))
+    if (!extent || !fits(extent->x) || !fits(extent->y))
         throw UsageError("--size {}: expected WxH, two whole numbers from 1 to {}", text, kMaxSideTexels);
-    return extent;
+    return {extent->x, extent->y};
 }
 
 }  // namespace boxcar

@@ -54,8 +54,11 @@ void AddReadOptions(CLI::App& command, ReadOptions& options);
 // Reads a picture that fits the device, refuses or replaces what is not finite.
 Picture ReadForDevice(const std::string& path, const Device& device, const ReadOptions& options);
 
-// The same for a picture that goes with another, texel for texel. `what`: how the line calls it that says the sizes
-// differ.
+// Throws Error where a picture that goes with another, texel for texel, has another size. `what`: how the line calls
+// it.
+void RequireSameSize(const Picture& picture, const Picture& beside, const std::string& path, const std::string& what);
+
+// ReadForDevice for a picture that goes with another, texel for texel; `what` as above.
 Picture ReadBeside(const Picture& picture, const std::string& path, const std::string& what, const Device& device,
                    const ReadOptions& options);
 
@@ -108,6 +111,9 @@ glm::vec2 ParseSize(const std::string& flag, const std::string& text);
 
 // The largest side of a picture that a command makes.
 constexpr uint32_t kMaxSideTexels = 8192;
+
+// "x,y" of a flag: a texel of a picture. Throws UsageError.
+glm::uvec2 ParseTexel(const std::string& flag, const std::string& text, Extent2D extent);
 
 // "WxH" of --size: whole numbers from 1 to kMaxSideTexels. Throws UsageError.
 Extent2D ParseExtent(const std::string& text);

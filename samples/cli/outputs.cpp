@@ -28,7 +28,8 @@ std::vector<Job> PlanJobs(const OutputOptions& options) {
     std::optional<FileFormat> forced;
     if (!options.formatWord.empty()) forced = FormatFromWord(options.formatWord);
 
-    const bool isFolder = options.output.ends_with('/') || fs::is_directory(options.output);
+    std::error_code error;
+    const bool isFolder = options.output.ends_with('/') || fs::is_directory(options.output, error);
     if (!isFolder) {
         if (options.inputs.size() > 1)
             throw UsageError("-o {}: {} inputs need a folder, as in -o {}/", options.output, options.inputs.size(),
@@ -50,7 +51,6 @@ std::vector<Job> PlanJobs(const OutputOptions& options) {
         if (!added) throw UsageError("{} and {} would both be written to {}", known->second, input, output);
         jobs.push_back({input, output, forced ? *forced : FormatOf(output)});
     }
-    std::error_code error;
     fs::create_directories(options.output, error);
     if (error) throw Error("{}: cannot make this folder: {}", options.output, error.message());
     return jobs;

@@ -4,8 +4,8 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <iostream>
 
+#include "samples/cli/console.h"
 #include "samples/cli/effect_run.h"
 #include "samples/cli/outputs.h"
 #include "samples/cli/stats.h"
@@ -99,13 +99,14 @@ void List(bool asJson) {
                                 {"takes_volume", info.takesVolume},
                                 {"parameters", parameters}});
         }
-        std::cout << document.dump(2) << std::endl;
+        PrintJson(document);
         return;
     }
+    std::string text;
     for (const EffectInfo& info : Effects()) {
-        fmt::print("{}{}{}{}\n  {} ({})\n  Look for this: {}.\n", info.name,
-                   info.takesEnvironment ? "  [--env F]" : "", info.takesMesh ? "  [--mesh F]" : "",
-                   info.takesVolume ? "  [--volume F]" : "", info.what, info.paper, info.lookFor);
+        text += fmt::format("{}{}{}{}\n  {} ({})\n  Look for this: {}.\n", info.name,
+                            info.takesEnvironment ? "  [--env F]" : "", info.takesMesh ? "  [--mesh F]" : "",
+                            info.takesVolume ? "  [--volume F]" : "", info.what, info.paper, info.lookFor);
         for (const Parameter& p : info.parameters) {
             std::string range;
             for (const std::string_view choice : p.choices)
@@ -114,9 +115,10 @@ void List(bool asJson) {
                 range = fmt::format("{:g}..{:g}{}{}", p.minimum, p.maximum, p.unit.empty() ? "" : " ", p.unit);
             const std::string initial =
                 p.choices.empty() ? fmt::format("{:g}", p.initial) : std::string(p.choices[size_t(p.initial)]);
-            fmt::print("    {:14} {} ({}; {})\n", p.name, p.what, range, initial);
+            text += fmt::format("    {:14} {} ({}; {})\n", p.name, p.what, range, initial);
         }
     }
+    PrintDocument(text);
 }
 
 }  // namespace

@@ -54,8 +54,8 @@ void Explain(const Job& job, const Picture& picture, Transfer transfer, SATPreci
     const Extent2D extent{picture.widthTexels, picture.heightTexels};
     const SATCodes codes = CodesToExplain(picture, transfer);
     const auto bits = static_cast<uint32_t>(std::ceil(std::log2(codes.largest + 1))) + (codes.isSigned ? 1 : 0);
-    fmt::print(stderr, "{} -> {}: table of order {}, {}\n", job.input, job.output, options.order,
-               SATPrecisionName(precision));
+    fmt::print(stderr, "{} -> {}: table of order {}, {}\n", Printable(job.input), Printable(job.output),
+               options.order, SATPrecisionName(precision));
     fmt::print(stderr, "  sums     of {}, from the {}\n", WhatIsSummed(picture, transfer, precision),
                options.table.originWord == "corner" ? "upper left corner" : options.table.originWord);
     if (precision == SATPrecision::FP32)

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "tools/layout/printable.h"
+
 namespace boxcar {
 namespace {
 
@@ -46,8 +48,8 @@ nlohmann::ordered_json ToJson(const Stats& stats) {
 }
 
 void PrintStats(const Stats& stats, const DeviceInfo& device) {
-    fmt::print(stderr, "{} -> {}: {} x {}\n  device   {}, {}\n", stats.input, stats.output, stats.extent.widthTexels,
-               stats.extent.heightTexels, device.name, device.driver);
+    fmt::print(stderr, "{} -> {}: {} x {}\n  device   {}, {}\n", Printable(stats.input), Printable(stats.output),
+               stats.extent.widthTexels, stats.extent.heightTexels, device.name, device.driver);
     for (const PassTime& pass : stats.passes)
         fmt::print(stderr, "  {:14} {:9.3f} ms\n", pass.name, pass.milliseconds);
     const auto mebibytes = [](uint64_t bytes) { return static_cast<double>(bytes) / (1 << 20); };

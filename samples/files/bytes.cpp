@@ -6,14 +6,12 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
-#include <filesystem>
 #include <new>
-#include <system_error>
-#include <utility>
 
+#include "tools/layout/descriptor.h"
 #include "tools/layout/error.h"
+#include "tools/layout/output_file.h"
 
 namespace boxcar {
 namespace {
@@ -22,50 +20,21 @@ Error ReadError(const std::string& path) {
     return Error("{}: cannot be read: {}", InputName(path), std::strerror(errno));
 }
 
-Error WriteError(const std::string& path) {
-    return Error("{}: cannot be written: {}", OutputName(path), std::strerror(errno));
-}
-
-// An open file, or -1 where open(2) failed. The standard streams stay open.
+// An open file, or -1 where open(2) failed. Standard input stays open.
 class Descriptor {
 public:
     explicit Descriptor(int fd) : m_fd(fd) {}
-    ~Descriptor() { Close(); }
+    ~Descriptor() {
+        if (m_fd > STDIN_FILENO) ::close(m_fd);
+    }
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
 
     operator int() const { return m_fd; }
 
-    // As close(2): some file systems only now say that the disk is full.
-    bool Close() { return m_fd <= STDERR_FILENO || ::close(std::exchange(m_fd, -1)) == 0; }
-
 private:
     int m_fd;
 };
-
-bool WriteAll(int fd, ByteView bytes) {
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(fd, bytes.data(), bytes.size());
-        if (written < 0 && errno != EINTR) return false;
-        if (written > 0) bytes = bytes.subspan(static_cast<size_t>(written));
-    }
-    return true;
-}
-
-void WriteDirectly(const std::string& path, ByteView bytes) {
-    Descriptor file(path == "-" ? STDOUT_FILENO : ::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-    if (file < 0 || !WriteAll(file, bytes) || !file.Close()) throw WriteError(path);
-}
-
-// Makes a new file in `folder` and sets `path` to it; -1 as open(2). mkstemp would make it unreadable to others,
-// where this one has what the umask allows.
-int CreateTemporary(const std::filesystem::path& folder, std::filesystem::path& path) {
-    for (int i = 0;; ++i) {
-        path = folder / fmt::format(".boxcar-{}-{}", ::getpid(), i);
-        const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (fd >= 0 || errno != EEXIST) return fd;
-    }
-}
 
 }  // namespace
 
@@ -115,23 +84,15 @@ Bytes ReadBytes(const std::string& path, uint64_t maxBytes, const std::function<
     return bytes;
 }
 
-void WriteFileAtomically(const std::string& path, ByteView bytes) {
-    struct stat old = {};
-    const bool exists = path != "-" && ::stat(path.c_str(), &old) == 0;
-    if (path == "-" || (exists && !S_ISREG(old.st_mode))) return WriteDirectly(path, bytes);
-    if (exists && ::access(path.c_str(), W_OK) != 0) throw WriteError(path);  // rename(2) would not ask
+bool IsStandardOutput(const std::string& path) {
+    return path == "-" || DescriptorOf(path) == STDOUT_FILENO;
+}
 
-    std::error_code ignored;  // an empty target cannot be written either
-    const std::filesystem::path target =
-        exists ? std::filesystem::canonical(path, ignored) : std::filesystem::path(path);
-    std::filesystem::path temporary;
-    Descriptor file(CreateTemporary(target.parent_path(), temporary));
-    if (file < 0) throw WriteError(path);
-    if (exists) ::fchmod(file, old.st_mode & 0777);
-    if (WriteAll(file, bytes) && file.Close() && ::rename(temporary.c_str(), target.c_str()) == 0) return;
-    const Error error = WriteError(path);
-    ::unlink(temporary.c_str());
-    throw error;
+void WriteFileAtomically(const std::string& path, ByteView bytes) {
+    OutputFile file(path, std::as_bytes(bytes));
+    const bool isWritten =
+        path == "-" ? WriteAll(STDOUT_FILENO, std::as_bytes(bytes)) : file.Prepare() && file.Commit();
+    if (!isWritten) throw Error("{}: cannot be written: {}", OutputName(path), std::strerror(errno));
 }
 
 }  // namespace boxcar

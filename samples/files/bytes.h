@@ -23,9 +23,12 @@ std::string OutputName(const std::string& path);
 //   checkStart  sees the first bytes (at least 16, or all) and throws what it does not want before the rest is read
 Bytes ReadBytes(const std::string& path, uint64_t maxBytes, const std::function<void(ByteView)>& checkStart);
 
-// Writes `bytes` to `path` whole, or leaves it as it was: they go to a new file in the same folder, which then takes
-// the name. "-" is standard output; it and what is no regular file (/dev/null, a FIFO) are written directly. A file
-// that is replaced hands on its permissions; a link stays, and what it points to is replaced.
+// Whether writing to `path` writes to standard output: "-", or a name or link that ends there, such as /dev/stdout.
+bool IsStandardOutput(const std::string& path);
+
+// Writes `bytes` to `path` whole, or leaves it as it was, but for the few kinds of path that
+// tools/layout/output_file.h names; it also says what becomes of links, owners and permissions. "-" is standard
+// output. A signal that ends the process leaves no temporary file.
 void WriteFileAtomically(const std::string& path, ByteView bytes);
 
 }  // namespace boxcar

@@ -65,20 +65,13 @@ Bytes Encode(const Picture& picture, FileFormat format, SampleType sampleType) {
     }
 }
 
-// `text` with what a damaged file may have put into it made harmless to a terminal.
-std::string Printable(std::string text) {
-    std::replace_if(
-        text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-    return text;
-}
-
 // Does `work`; its errors get the name in front.
 template <typename Work>
 auto WithName(const std::string& name, Work work) {
     try {
         return work();
     } catch (const Error& error) {
-        throw Error("{}: {}", name, Printable(error.what()));
+        throw Error("{}: {}", name, error.what());
     } catch (const std::bad_alloc&) {
         throw Error("{}: there is not enough memory for it", name);
     }

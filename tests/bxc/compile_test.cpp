@@ -338,6 +338,24 @@ TEST_F(CompileTest, WhatCannotBeWrittenIsOneLineAndExitCode1) {
     EXPECT_EQ(below.err, "bxc: cannot write 'file/out.spv': Not a directory\n");
 }
 
+// A link of our own stands for /dev/stdout, which a program that replaces links would take from the whole system.
+TEST_F(CompileTest, StandardOutputByNameIsAppendedToAndStays) {
+    Write("a.hlsl", kPlainPixelShader);
+    Write("bad.hlsl", "nonsense");
+    Write("log", "kept");
+    std::filesystem::create_symlink("/proc/self/fd/1", m_folder / "stdout.spv");
+    const auto append = [&](const std::string& shader) {
+        return RunProgram({"sh", "-c", BXC_PROGRAM " compile " + shader + " -T ps -o stdout.spv >> log"}).exitCode;
+    };
+    EXPECT_EQ(append("a.hlsl"), 0);
+    const std::string log = Read("log");
+    EXPECT_TRUE(log.starts_with("kept\x03\x02\x23\x07")) << log.substr(0, 20);
+    EXPECT_EQ(append("bad.hlsl"), 1);
+    EXPECT_EQ(Read("log"), log);
+    EXPECT_TRUE(std::filesystem::is_symlink(m_folder / "stdout.spv"));
+    EXPECT_FALSE(Exists("stdout.layout.json"));
+}
+
 TEST_F(CompileTest, UnwritableSideFileLeavesNothingHalfWritten) {
     Write("a.hlsl", kPlainPixelShader);
     std::filesystem::create_directories(m_folder / "out/a.layout.json/x");
@@ -346,7 +364,7 @@ TEST_F(CompileTest, UnwritableSideFileLeavesNothingHalfWritten) {
     EXPECT_EQ(run.err, "bxc: cannot write 'out/a.layout.json': Is a directory\n");
     EXPECT_FALSE(Exists("out/a.d"));
     for (const auto& entry : std::filesystem::directory_iterator(m_folder / "out"))
-        EXPECT_EQ(entry.path().filename().string().find(".tmp"), std::string::npos) << entry.path();
+        EXPECT_EQ(entry.path().filename().string().find(".boxcar-"), std::string::npos) << entry.path();
 }
 
 TEST_F(CompileTest, WrongCommandLineIsExitCode2) {

@@ -10,11 +10,13 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <span>
 #include <sstream>
 
 #include "tools/bxc/compiler.h"
 #include "tools/bxc/version.h"
 #include "tools/layout/error.h"
+#include "tools/layout/output_file.h"
 
 namespace boxcar {
 namespace {
@@ -22,46 +24,32 @@ namespace {
 namespace fs = std::filesystem;
 
 bool IsDevice(const std::string& path) {
+    if (DescriptorOf(path)) return true;  // /dev/stdout, even where that is a file
     std::error_code none;
     const fs::file_status status = fs::status(path, none);
     return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
-// A file that exists under a temporary name until Commit().
+// A file that exists under a temporary name until Commit(); a device is written at once.
 class PendingFile {
 public:
-    PendingFile(const std::string& path, std::string_view bytes)
-        : m_path(path), m_temporary(IsDevice(path) ? "" : fmt::format("{}.tmp{}", path, getpid())) {
+    PendingFile(const std::string& path, std::string bytes)
+        : m_path(path), m_bytes(std::move(bytes)), m_file(path, std::as_bytes(std::span(m_bytes))) {
         std::error_code none;
         if (const fs::path folder = fs::path(path).parent_path(); !folder.empty())
             fs::create_directories(folder, none);
-        std::FILE* file = std::fopen(m_temporary.empty() ? path.c_str() : m_temporary.c_str(), "wb");
-        if (!file) Fail(errno);
-        const size_t written = std::fwrite(bytes.data(), 1, bytes.size(), file);
-        const int writeError = errno;
-        const bool closed = std::fclose(file) == 0;
-        if (written < bytes.size() || !closed) Fail(written < bytes.size() ? writeError : errno);
+        if (!m_file.Prepare()) Fail();
     }
-
-    ~PendingFile() {
-        if (!m_temporary.empty()) unlink(m_temporary.c_str());
-    }
-    PendingFile(const PendingFile&) = delete;
-    PendingFile& operator=(const PendingFile&) = delete;
 
     void Commit() {
-        if (!m_temporary.empty() && std::rename(m_temporary.c_str(), m_path.c_str()) != 0) Fail(errno);
-        m_temporary.clear();
+        if (!m_file.Commit()) Fail();
     }
 
 private:
-    [[noreturn]] void Fail(int error) {
-        if (!m_temporary.empty()) unlink(m_temporary.c_str());
-        throw Error("cannot write '{}': {}", m_path, std::strerror(error));
-    }
+    [[noreturn]] void Fail() { throw Error("cannot write '{}': {}", m_path, std::strerror(errno)); }
 
-    std::string m_path;
-    std::string m_temporary;
+    std::string m_path, m_bytes;
+    OutputFile m_file;
 };
 
 std::string ReadFile(const std::string& path) {
@@ -152,7 +140,7 @@ void WriteOutputs(const ShaderJob& job, const CompileResult& result, FileTime st
     const OutputFiles files = FilesOf(job);
     const std::string_view spirvBytes(reinterpret_cast<const char*>(result.spirv.data()),
                                       result.spirv.size() * sizeof(uint32_t));
-    PendingFile spirv(files.spirv, spirvBytes);
+    PendingFile spirv(files.spirv, std::string(spirvBytes));
     if (IsDevice(files.spirv)) return;
 
     std::set<std::string> dependencies;
@@ -177,7 +165,7 @@ void RemoveOutputs(const ShaderJob& job) {
 }
 
 void WriteFile(const std::string& path, std::string_view bytes) {
-    PendingFile(path, bytes).Commit();
+    PendingFile(path, std::string(bytes)).Commit();
 }
 
 void WriteFileIfChanged(const std::string& path, std::string_view bytes) {

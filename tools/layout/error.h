@@ -6,15 +6,18 @@
 #include <stdexcept>
 #include <utility>
 
+#include "tools/layout/printable.h"
+
 namespace boxcar {
 
-// Something outside the program is not as it must be: a file, a device, a flag. The text is one line; it names the
-// offending value and what would be accepted. Programs print it after their own name and exit 1.
+// Something outside the program is not as it must be: a file, a device, a flag. The text names the offending value
+// and what would be accepted; it is made Printable(), so it is one line of UTF-8 whatever the value is. Programs
+// print it after their own name and exit 1.
 class Error : public std::runtime_error {
 public:
     template <typename... Args>
     explicit Error(fmt::format_string<Args...> format, Args&&... args)
-        : std::runtime_error(fmt::format(format, std::forward<Args>(args)...)) {}
+        : std::runtime_error(Printable(fmt::format(format, std::forward<Args>(args)...))) {}
 };
 
 // The command line is wrong. Programs exit 2.

@@ -4,10 +4,10 @@
 #include <unistd.h>
 
 #include <cmath>
-#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "samples/cli/console.h"
 #include "samples/cli/light.h"
 #include "samples/files/color.h"
 
@@ -39,15 +39,16 @@ std::string Numbers(const Measurement& measured) {
 }
 
 // One row for all numbers of taps that give the same numbers.
-void PrintTable(const std::string& name, const Subject& subject, const Measurements& all) {
-    fmt::print("{}: {} x {} texels, {} colour channel{}\n", name, subject.extent.widthTexels,
-               subject.extent.heightTexels, subject.colors, subject.colors == 1 ? "" : "s");
-    fmt::print("{:8}{:10}{:6}{:8}{:10}{:>9}  RMS error of boxes of width", "builder", "precision", "bias", "origin",
-               "taps", "SNR dB");
-    fmt::print("\n{:51}", "");
+std::string Table(const std::string& name, const Subject& subject, const Measurements& all) {
+    std::string text =
+        fmt::format("{}: {} x {} texels, {} colour channel{}\n", Printable(name), subject.extent.widthTexels,
+                    subject.extent.heightTexels, subject.colors, subject.colors == 1 ? "" : "s");
+    text += fmt::format("{:8}{:10}{:6}{:8}{:10}{:>9}  RMS error of boxes of width", "builder", "precision", "bias",
+                        "origin", "taps", "SNR dB");
+    text += fmt::format("\n{:51}", "");
     for (const uint32_t width : kMeasuredWidths)
-        fmt::print("  {:>8}", width);
-    fmt::print("\n");
+        text += fmt::format("  {:>8}", width);
+    text += fmt::format("\n");
     for (size_t i = 0; i < all.size();) {
         const Case& setup = all[i].setup;
         const std::string numbers = Numbers(all[i]);
@@ -59,10 +60,11 @@ void PrintTable(const std::string& name, const Subject& subject, const Measureme
         size_t next = i;
         for (; next < all.size() && sameRow(all[next]); next++)
             taps += fmt::format("{}{}", taps.empty() ? "" : " ", all[next].setup.taps);
-        fmt::print("{:8}{:10}{:6}{:8}{:10}{}\n", Name(setup.builder), Name(setup.precision), Name(setup.bias),
-                   Name(setup.origin), taps, numbers);
+        text += fmt::format("{:8}{:10}{:6}{:8}{:10}{}\n", Name(setup.builder), Name(setup.precision),
+                            Name(setup.bias), Name(setup.origin), taps, numbers);
         i = next;
     }
+    return text;
 }
 
 struct PrecisionOptions {
@@ -84,23 +86,23 @@ void MeasurePictures(const PrecisionOptions& options) {
             Measurements all;
             const std::vector<Case> cases = AllCases(meter.Picture().largestCode);
             for (const Case& setup : cases) {
-                if (terminal) fmt::print(stderr, "\r[{}/{}] {}", all.size() + 1, cases.size(), input);
+                if (terminal) fmt::print(stderr, "\r[{}/{}] {}", all.size() + 1, cases.size(), Printable(input));
                 all.push_back(meter.Measure(setup));
             }
             if (terminal) fmt::print(stderr, "\r\033[K");
             auto& results = document.emplace_back(nlohmann::ordered_json{{"image", input}})["results"];
             for (const Measurement& measured : all)
                 results.push_back(ToJson(measured));
-            if (!options.json) PrintTable(input, meter.Picture(), all);
+            if (!options.json) PrintDocument(Table(input, meter.Picture(), all));
         } catch (const Error& error) {
             if (terminal) fmt::print(stderr, "\r\033[K");
             if (options.inputs.size() == 1) throw;
-            fmt::print(stderr, "boxcar: {}\n", error.what());
+            PrintProblem(error.what());
             document.push_back({{"image", input}, {"error", error.what()}});
             failed++;
         }
     }
-    if (options.json) std::cout << document.dump(2) << std::endl;
+    if (options.json) PrintJson(document);
     device.RequireClean();
     if (failed > 0) throw Error("{} of {} inputs failed", failed, options.inputs.size());
 }
