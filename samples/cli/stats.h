@@ -17,6 +17,7 @@ struct Stats {
     Extent2D extent = {};
     std::string precision = {};  // "fp32", "u32", "u64", or empty where no table was needed
     uint64_t tableBytes = 0;     // of device memory: 32 a texel for fp32 and u32, 64 for u64
+    std::string volume = {};     // which file, and what was read of it; empty where none was
     std::vector<PassTime> passes = {};
     uint64_t deviceBytes = 0;  // at the most, while this picture was worked on
 };

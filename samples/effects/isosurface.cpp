@@ -3,11 +3,13 @@
 //   volume  ->  largest voxel of each block, once
 //   rays through blocks that reach the value  ->  points  ->  derivatives and colour, once a pixel
 //
-// Lengths are millimetres; the volume's x, y, z axes are the world's, z up.
+// Lengths are millimetres; the world's x axis goes to the body's right, y to its front, z up. The volume's own axes
+// may be turned against them: all that is drawn with is then along the volume's.
 //
 // Sigg 2005, sect. 20.4 (Figs 20-4 and 20-5); Kindlmann 2003 (curvature)
 #include <algorithm>
 #include <cmath>
+#include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 #include <tuple>
 
@@ -69,6 +71,7 @@ class Isosurface : public Effect {
 public:
     Isosurface(Device& device, const EffectInputs& inputs, const ParameterValues&)
         : m_millimetres(inputs.volume.voxelMillimetres),
+          m_axesFromWorld(glm::transpose(inputs.volume.worldFromAxes)),
           m_extentVoxels(inputs.volume.widthVoxels, inputs.volume.heightVoxels, inputs.volume.depthVoxels),
           m_grid(inputs.volume),
           m_volume(Upload(device, inputs.volume)),
@@ -101,8 +104,9 @@ private:
         const float turn =
             glm::radians(frame.values["turn"] + kTurnDegreesPerSecond * static_cast<float>(frame.timeSeconds));
         const float rise = glm::radians(frame.values["elevation"]);
-        const glm::vec3 toEye(std::sin(turn) * std::cos(rise), std::cos(turn) * std::cos(rise), std::sin(rise));
-        const glm::vec3 right(-std::cos(turn), std::sin(turn), 0);
+        const glm::vec3 toEye = m_axesFromWorld * glm::vec3(std::sin(turn) * std::cos(rise),
+                                                            std::cos(turn) * std::cos(rise), std::sin(rise));
+        const glm::vec3 right = m_axesFromWorld * glm::vec3(-std::cos(turn), std::sin(turn), 0);
         const glm::vec3 up = glm::cross(toEye, right);
         const auto [width, height] = m_picture.Extent();
         const float aspect = static_cast<float>(width) / static_cast<float>(height);
@@ -129,7 +133,13 @@ private:
             .shade = frame.values.Whole("shade"),
             .voxelMillimetres = m_millimetres,
             .radiusMillimetres = frame.values["radius"],
-            .lightMillimetres = glm::normalize(0.7f * toEye - 0.55f * right + 0.75f * up)};
+            .lightMillimetres = glm::normalize(0.7f * toEye - 0.55f * right + 0.75f * up),
+            .unused0 = 0,
+            .worldX = m_axesFromWorld[0],
+            .unused1 = 0,
+            .worldY = m_axesFromWorld[1],
+            .unused2 = 0,
+            .worldZ = m_axesFromWorld[2]};
         commands.Draw({.name = "shade",
                        .pipeline = pipelines.shade,
                        .reads = {{"volume", &m_volume}, {"hits", &m_hits}},
@@ -161,6 +171,7 @@ private:
     }
 
     glm::vec3 m_millimetres;  // sides of a voxel
+    glm::mat3 m_axesFromWorld;
     glm::vec3 m_extentVoxels;
     BlockGrid m_grid;
     Image m_volume, m_blockMaxima;
@@ -189,8 +200,9 @@ EffectInfo IsosurfaceInfo() {
                            {"iso", "The surface's value, in the volume's units", "", -1e6f, 1e6f, 92},
                            {"step", "Along a ray, from look to look", "voxels", 0.1f, 2, 0.5f},
                            {"radius", "Of a curvature that has its full colour", "mm", 0.1f, 1000, 3},
-                           {"turn", "Of the eye round the z axis; at 0 it is on the side of +y", "degrees", -180, 180,
-                            -125},
+                           {"turn",
+                            "Of the eye round the z axis; at 0 it looks at the front (+y), at 90 at the right (+x)",
+                            "degrees", -180, 180, -125},
                            {"elevation", "Of the eye over the x-y plane", "degrees", -90, 90, 25},
                            {"zoom", "1 shows all of it", "", 0.1f, 20, 1}},
             .takesVolume = true,
