@@ -49,11 +49,11 @@ nifti_2_header Widened(const Fields& fields) {
 }
 
 template <typename Fields>
-NiftiHeader ReadFields(Unpacker& source, const uint8_t* start, size_t startBytes, bool isSwapped) {
+NiftiHeader ReadFields(Unpacker& source, ByteView start, bool isSwapped) {
     constexpr int kVersion = sizeof(Fields) == sizeof(nifti_1_header) ? 1 : 2;
     uint8_t bytes[sizeof(Fields)];
-    std::memcpy(bytes, start, startBytes);
-    if (source.Read(std::span(bytes).subspan(startBytes)) + startBytes < sizeof(bytes))
+    std::ranges::copy(start, bytes);
+    if (source.Read(std::span(bytes).subspan(start.size())) + start.size() < sizeof(bytes))
         throw Error("it is too short for a NIfTI-{} volume", kVersion);
     Fields fields;
     std::memcpy(&fields, bytes, sizeof(fields));
@@ -149,21 +149,26 @@ std::array<int, 3> CodesOf(const glm::dmat3& unit) {
 
 }  // namespace
 
-NiftiHeader ReadNiftiHeader(Unpacker& source) {
-    nifti_set_debug_level(0);
-    uint8_t start[4];
-    if (source.Read(start) < sizeof(start)) throw Error("it is too short for a NIfTI volume");
+NiftiStart StartOf(ByteView start) {
+    int32_t bytes = 0;
+    if (start.size() < sizeof(bytes)) throw Error("it is too short for a NIfTI volume");
     if (start[0] == '#' && start[1] == '?') throw Error("it is a Radiance picture; a NIfTI volume is expected");
+    std::memcpy(&bytes, start.data(), sizeof(bytes));
     for (const bool isSwapped : {false, true}) {
-        int32_t size = 0;
-        std::memcpy(&size, start, sizeof(size));
-        if (isSwapped) nifti_swap_Nbytes(1, sizeof(size), &size);
-        if (size == sizeof(nifti_1_header))
-            return ReadFields<nifti_1_header>(source, start, sizeof(start), isSwapped);
-        if (size == sizeof(nifti_2_header))
-            return ReadFields<nifti_2_header>(source, start, sizeof(start), isSwapped);
+        if (isSwapped) nifti_swap_Nbytes(1, sizeof(bytes), &bytes);
+        if (bytes == sizeof(nifti_1_header) || bytes == sizeof(nifti_2_header))
+            return {static_cast<size_t>(bytes), isSwapped};
     }
     throw Error("it is no NIfTI file");
+}
+
+NiftiHeader ReadNiftiHeader(Unpacker& source) {
+    nifti_set_debug_level(0);
+    uint8_t bytes[4];
+    const ByteView start = ByteView(bytes).first(source.Read(bytes));
+    const auto [headerBytes, isSwapped] = StartOf(start);
+    return headerBytes == sizeof(nifti_1_header) ? ReadFields<nifti_1_header>(source, start, isSwapped)
+                                                 : ReadFields<nifti_2_header>(source, start, isSwapped);
 }
 
 uint64_t BytesBeforeVoxels(const NiftiHeader& header) {

@@ -19,6 +19,13 @@ struct NiftiHeader {
     bool isPair;            // the voxels are in another file
 };
 
+// What a header's first bytes tell. Throws Error, without the file's name: they are no header's.
+struct NiftiStart {
+    size_t headerBytes;
+    bool isSwapped;
+};
+NiftiStart StartOf(ByteView start);
+
 // Reads the header of NIfTI-1 or NIfTI-2. Throws Error, without the file's name: it is none.
 NiftiHeader ReadNiftiHeader(Unpacker& source);
 

@@ -222,12 +222,12 @@ Bytes ReadVoxelsFile(const std::string& headerPath, const std::string& path, con
 }  // namespace
 
 Volume ReadVolume(const std::string& path, const VolumeReading& reading, const VolumeLimits& limits) {
-    const std::string headerPath = HeaderPath(path);
+    const std::string headerPath = HeaderPath(path), name = InputName(headerPath);
     const auto checkStart = [&](ByteView start) {
-        if (start.empty()) throw Error("{}: the file is empty; a NIfTI volume is expected", InputName(headerPath));
+        if (start.empty()) throw Error("{}: the file is empty; a NIfTI volume is expected", name);
+        if (!IsPacked(start)) Named(name, [&] { return StartOf(start); });
     };
     const Bytes file = ReadBytes(headerPath, limits.maxBytes, checkStart);
-    const std::string name = InputName(headerPath);
     const bool isPair = Named(name, [&] {
         Unpacker source(file);
         return ReadNiftiHeader(source).isPair;

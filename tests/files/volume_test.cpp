@@ -121,6 +121,9 @@ TEST(VolumeFile, WhatItIsNotIsSaidInOneLine) {
     const TemporaryFolder folder;
     EXPECT_EQ(ErrorOf([&] { ReadVolume(folder.Path("none.nii")); }),
               folder.Path("none.nii") + ": cannot be read: No such file or directory");
+    EXPECT_EQ(ErrorOf([&] { ReadVolume(folder.Put("empty.nii", {})); }),
+              folder.Path("empty.nii") + ": the file is empty; a NIfTI volume is expected");
+    EXPECT_EQ(ErrorOf([] { ReadVolume("/dev/zero"); }), "/dev/zero: it is no NIfTI file");
 }
 
 // A megabyte of zeros in a kilobyte: no more is unpacked than the header's voxels, a chunk at a time.
