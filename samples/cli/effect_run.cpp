@@ -47,6 +47,8 @@ EffectInputs InputsOf(const EffectInfo& info, const EffectOptions& options) {
     if (options.upWord != "y" && !info.takesMesh)
         throw UsageError("--up {}: {} has no use for it", options.upWord, info.name);
     const bool zeroesNotFinite = options.nanWord == "zero";
+    if (zeroesNotFinite && !info.takesVolume && !info.takesEnvironment)
+        throw UsageError("--nan zero: {} has no use for it", info.name);
     if (info.takesVolume) {
         const std::string name = options.volume.empty() ? "head" : options.volume;
         inputs.volume = ReadScan(name, {options.volumeFrame.value_or(0), zeroesNotFinite});

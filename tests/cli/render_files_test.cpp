@@ -59,6 +59,7 @@ TEST(Render, DrawsTheSurfaceOfAVolumeWithParametersAsFlags) {
            "no parameter 'roughness'; there is filter, shade, iso, step, radius, turn, elevation, zoom");
     expect("planar-reflection --volume head", 2, "--volume head: planar-reflection has no use for it");
     expect("planar-reflection --frame 0", 2, "--frame 0: planar-reflection has no use for it");
+    expect("planar-reflection --nan zero", 2, "--nan zero: planar-reflection has no use for it");
     expect("isosurface --up z", 2, "--up z: isosurface has no use for it");
     expect("isosurface --frame 1", 2, "--frame 1: head holds 1 volume, which is number 0");
     expect("isosurface --volume scan.nii --frame 1", 2,
