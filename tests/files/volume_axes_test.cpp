@@ -256,6 +256,39 @@ TEST(VolumeAxes, SaysHowFarItIsTurnedAndThatAShearIsLeftOut) {
     EXPECT_NEAR(glm::determinant(volume.worldFromAxes), 1, 1e-6);
 }
 
+// Any bits in the fields that say how it lies: a volume whose rotation is one, or one line.
+TEST(VolumeAxes, AnyNumbersInTheHeaderAreAnOrientationOrNone) {
+    std::mt19937 random(7);
+    int volumes = 0, turned = 0;
+    for (int i = 0; i < 5000; i++) {
+        BinaryFile file = WithQform(WithSform(FileOf({}), Scan().Steps()), glm::dmat3(1));
+        if (i % 2 == 0) file.Set<int16_t>(254, 0);
+        const size_t first = i % 2 == 0 ? 256 : 280, count = i % 2 == 0 ? 6 : 12;
+        for (int changes = 0; changes < 1 + i % 5; changes++) {
+            const auto number = i % 3 == 0 ? std::bit_cast<float>(static_cast<uint32_t>(random()))
+                                           : static_cast<float>(random() % 21) - 10;
+            file.Set(first + 4 * (random() % count), number);
+        }
+        try {
+            const Volume volume = Read(file);
+            volumes++;
+            const glm::dmat3 read(volume.worldFromAxes);
+            turned += read != glm::dmat3(1);
+            ASSERT_NEAR(glm::determinant(read), 1, 1e-5);
+            for (int axis = 0; axis < 3; axis++)
+                ASSERT_NEAR(glm::length(read[axis]), 1, 1e-5);
+            std::vector<float> sorted = volume.voxels, expected = Read(FileOf({})).voxels;
+            std::ranges::sort(sorted);
+            std::ranges::sort(expected);
+            ASSERT_EQ(sorted, expected);
+        } catch (const Error& error) {
+            EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+        }
+    }
+    EXPECT_GT(volumes, 3000);
+    EXPECT_GT(turned, 500);
+}
+
 TEST(VolumeAxes, TheHeadIsStoredAsItStands) {
     const Volume head = ReadVolume(SAMPLES_FOLDER "ch2bet.nii.gz");
     EXPECT_EQ(head.what, "181 x 217 x 181 voxels of 1 x 1 x 1 mm; sform, stored RAS");
