@@ -118,7 +118,7 @@ TEST(StandingMesh, IsWholeInThePictureAndLargeInItWhateverItsShape) {
             }
 }
 
-TEST(StandingMesh, IsScaledByOneNumberAndStandsRoundTheAxis) {
+TEST(StandingMesh, IsScaledByOneNumberAndStandsRoundTheAxisWithinItsPlace) {
     for (const Shape& shape : kShapes)
         for (const View& view : kViews) {
             const MeshData mesh = Stood(BoxOf(shape), view, {640, 360});
@@ -128,6 +128,8 @@ TEST(StandingMesh, IsScaledByOneNumberAndStandsRoundTheAxis) {
                 EXPECT_NEAR(high[c] - low[c], scale * shape.size[c], 1e-4) << shape.name;
             for (const int c : {0, 2})
                 EXPECT_NEAR(high[c], -low[c], 1e-6) << shape.name;
+            EXPECT_LE(high.y - low.y, 1.00001) << shape.name;
+            EXPECT_LE(std::hypot(high.x, high.z), 1.25001) << shape.name;
             EXPECT_NEAR(low.y, -view.middle * (high.y - low.y), 1e-6) << shape.name;
         }
 }
