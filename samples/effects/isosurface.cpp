@@ -11,7 +11,6 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
-#include <tuple>
 
 #include "hlsl/constants/isosurface_constants.h"
 #include "runtime/passes/quad_shaders.h"
@@ -111,7 +110,7 @@ private:
         const auto [width, height] = m_picture.Extent();
         const float aspect = static_cast<float>(width) / static_cast<float>(height);
         const float distance = ball.radius / (std::sin(kViewRadians / 2) * std::min(aspect, 1.0f));
-        const glm::vec3 eye = ball.middle + distance * toEye;
+        const glm::vec3 eye = m_axesFromWorld * ball.middle + distance * toEye;
         const float rim =
             std::tan(kViewRadians / 2) / frame.values["zoom"];  // of the picture, one unit before the eye
 
@@ -148,25 +147,31 @@ private:
         return m_picture;
     }
 
-    // Round the blocks that reach the value, about the middle of their box; round the volume where none does.
+    // Round the blocks that reach the value, about the middle of their box in the world; round the volume where none
+    // does. From the volume's corner, along the world's axes.
     Ball BallRoundBlocks(float iso) const {
-        std::vector<std::pair<glm::vec3, glm::vec3>> blocks;  // their corners
-        glm::vec3 least = m_extentVoxels * m_millimetres, largest(0);
+        std::vector<glm::vec3> corners;
+        const auto add = [&](glm::vec3 lowVoxels, glm::vec3 highVoxels) {
+            const glm::vec3 ends[] = {lowVoxels * m_millimetres, highVoxels * m_millimetres};
+            for (int i = 0; i < 8; i++)
+                corners.push_back(glm::vec3(ends[i & 1].x, ends[i >> 1 & 1].y, ends[i >> 2].z) * m_axesFromWorld);
+        };
         for (uint32_t z = 0; z < m_grid.blocks.z; z++)
             for (uint32_t y = 0; y < m_grid.blocks.y; y++)
                 for (uint32_t x = 0; x < m_grid.blocks.x; x++) {
                     if (m_maxima[m_grid.TexelOf({x, y, z})].x < iso) continue;
                     const glm::vec3 first(kBlockCells * glm::uvec3(x, y, z));
-                    blocks.emplace_back(first * m_millimetres,
-                                        glm::min(first + float{kBlockCells}, m_extentVoxels) * m_millimetres);
-                    least = glm::min(least, blocks.back().first);
-                    largest = glm::max(largest, blocks.back().second);
+                    add(first, glm::min(first + float{kBlockCells}, m_extentVoxels));
                 }
-        if (blocks.empty()) blocks.emplace_back(glm::vec3(0), m_extentVoxels * m_millimetres);
-        if (blocks.size() == 1) std::tie(least, largest) = blocks[0];
+        if (corners.empty()) add(glm::vec3(0), m_extentVoxels);
+        glm::vec3 least(INFINITY), largest(-INFINITY);
+        for (const glm::vec3 corner : corners) {
+            least = glm::min(least, corner);
+            largest = glm::max(largest, corner);
+        }
         Ball ball{0.5f * (least + largest), 0};
-        for (const auto& [low, high] : blocks)
-            ball.radius = std::max(ball.radius, glm::length(glm::max(ball.middle - low, high - ball.middle)));
+        for (const glm::vec3 corner : corners)
+            ball.radius = std::max(ball.radius, glm::length(corner - ball.middle));
         return ball;
     }
 
