@@ -22,13 +22,19 @@ struct IsosurfaceMarchConstants {
     float3 upVoxels;
 };
 
-// isosurface_shade.ps
+// isosurface_shade.ps. Along the volume's axes, but for the world's own.
 struct IsosurfaceShadeConstants {
     float3 eyeMillimetres;  // from the volume's corner
     int shade;
     float3 voxelMillimetres;
     float radiusMillimetres;  // of a curvature that has its full colour
     float3 lightMillimetres;  // towards the lamp; of length 1
+    float unused0;
+    float3 worldX;  // the world's axes; of length 1
+    float unused1;
+    float3 worldY;
+    float unused2;
+    float3 worldZ;
 };
 
 // isosurface_blocks.ps

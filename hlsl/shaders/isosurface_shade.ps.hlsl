@@ -2,7 +2,7 @@
 //
 //   FILTER   TRILINEAR: derivatives by differences over a voxel; TRICUBIC: those of the cubic B-spline
 //   g.shade  PHONG; CURVATURE: a colour for each pair of principal curvatures; RIDGES: ridges light, valleys dark;
-//            NORMAL: the normal as a colour; MAXIMUM: blue to red by the larger curvature
+//            NORMAL: the normal in the world as a colour; MAXIMUM: blue to red by the larger curvature
 //
 // Sigg 2005, sect. 20.4 (Figs 20-4 and 20-5); Kindlmann 2003 (transfer functions of two curvatures)
 #include "boxcar/bspline_volume.hlsli"
@@ -98,10 +98,11 @@ float4 main(QuadVertex i) : SV_Target0
     float3 view = normalize(g.eyeMillimetres - hit.xyz * g.voxelMillimetres);
     float3 middle = normalize(view + g.lightMillimetres);
     float lamp = max(dot(normal, g.lightMillimetres), 0.0);
-    float sky = 0.5 + 0.5 * normal.z;
+    float3 normalWorld = float3(dot(normal, g.worldX), dot(normal, g.worldY), dot(normal, g.worldZ));
+    float sky = 0.5 + 0.5 * normalWorld.z;
     float diffuse = 0.80 * lamp + 0.12 * max(dot(normal, view), 0.0) + 0.02 + 0.10 * sky;
     float highlight = lamp > 0.0 ? 0.22 * pow(max(dot(normal, middle), 0.0), 48.0) : 0.0;
-    float3 colour = 0.5 + 0.5 * normal;
+    float3 colour = 0.5 + 0.5 * normalWorld;
     if (g.shade == kPhong)
         colour = float3(0.84, 0.60, 0.48) * diffuse + highlight;
     else if (g.shade == kCurvature)

@@ -6,6 +6,9 @@
 
 #include "samples/cli/device_run.h"
 #include "samples/cli/light.h"
+#include "samples/files/bytes.h"
+#include "samples/files/color.h"
+#include "samples/scenes/scene.h"
 #include "samples/scenes/volumes.h"
 
 namespace boxcar {
@@ -13,9 +16,22 @@ namespace {
 
 constexpr double kLargestTime = 1e6;  // scenes move by floats
 
-Environment ReadEnvironment(const std::string& name) {
+Environment ReadEnvironment(const std::string& name, bool zeroesNotFinite) {
     if (name == "city" || name == "studio" || name == "venice") return SampleEnvironment(name);
-    return EnvironmentFrom(ReadPicture(name), name);
+    Picture picture = ReadPicture(name);
+    if (zeroesNotFinite) ZeroNotFinite(picture);
+    return EnvironmentFrom(std::move(picture), name);
+}
+
+MeshData ReadObject(const std::string& name, const std::string& upWord) {
+    MeshData mesh = name == "bunny" || name == "teapot" ? SampleMesh(name) : ReadMesh(name);
+    return upWord == "z" ? TurnedZUp(std::move(mesh)) : mesh;
+}
+
+Volume ReadScan(const std::string& name, const VolumeReading& reading) {
+    if (name != "head" && name != "marschner-lobb") return ReadVolume(name, reading);
+    if (reading.frame > 0) throw UsageError("--frame {}: {} holds 1 volume, which is number 0", reading.frame, name);
+    return SampleVolume(name);
 }
 
 EffectInputs InputsOf(const EffectInfo& info, const EffectOptions& options) {
@@ -26,16 +42,21 @@ EffectInputs InputsOf(const EffectInfo& info, const EffectOptions& options) {
         throw UsageError("--mesh {}: {} has no use for it", options.mesh, info.name);
     if (!options.volume.empty() && !info.takesVolume)
         throw UsageError("--volume {}: {} has no use for it", options.volume, info.name);
+    if (options.volumeFrame && !info.takesVolume)
+        throw UsageError("--frame {}: {} has no use for it", *options.volumeFrame, info.name);
+    if (options.upWord != "y" && !info.takesMesh)
+        throw UsageError("--up {}: {} has no use for it", options.upWord, info.name);
+    const bool zeroesNotFinite = options.nanWord == "zero";
+    if (zeroesNotFinite && !info.takesVolume && !info.takesEnvironment)
+        throw UsageError("--nan zero: {} has no use for it", info.name);
     if (info.takesVolume) {
         const std::string name = options.volume.empty() ? "head" : options.volume;
-        inputs.volume = name == "head" || name == "marschner-lobb" ? SampleVolume(name) : ReadVolume(name);
+        inputs.volume = ReadScan(name, {options.volumeFrame.value_or(0), zeroesNotFinite});
     }
     if (info.takesEnvironment)
-        inputs.environment = ReadEnvironment(options.environment.empty() ? "venice" : options.environment);
-    if (info.takesMesh) {
-        const std::string name = options.mesh.empty() ? "bunny" : options.mesh;
-        inputs.mesh = name == "bunny" || name == "teapot" ? SampleMesh(name) : ReadMesh(name);
-    }
+        inputs.environment =
+            ReadEnvironment(options.environment.empty() ? "venice" : options.environment, zeroesNotFinite);
+    if (info.takesMesh) inputs.mesh = ReadObject(options.mesh.empty() ? "bunny" : options.mesh, options.upWord);
     return inputs;
 }
 
@@ -98,9 +119,26 @@ void AddEffectOptions(CLI::App& command, EffectOptions& options) {
         .add_option("--env", options.environment,
                     "Light from all around: an equirectangular picture, or city, studio, venice (default)")
         ->type_name("F");
-    command.add_option("--mesh", options.mesh, "Object: an OBJ file, or bunny (default), teapot")->type_name("F");
-    command.add_option("--volume", options.volume, "Volume: a NIfTI file, or head (default), marschner-lobb")
+    command
+        .add_option(
+            "--mesh", options.mesh,
+            "Object: an OBJ file, or bunny (default), teapot; made as large as the picture and the scene let it be")
         ->type_name("F");
+    command.add_option("--up", options.upWord, "The object's axis that goes up: y (default) or z")
+        ->check(CLI::IsMember({"y", "z"}))
+        ->type_name("A");
+    command
+        .add_option("--volume", options.volume,
+                    "Volume: a NIfTI file (.nii, or .hdr beside .img; packed or not), or head (default), "
+                    "marschner-lobb; it is drawn as the body stands: sform, else qform, else voxel sizes alone")
+        ->type_name("F");
+    command.add_option("--frame", options.volumeFrame, "Which volume of a series in time; 0 (default) is the first")
+        ->type_name("N");
+    command
+        .add_option("--nan", options.nanWord,
+                    "What to do with NaN and infinity in a volume or environment: refuse (default) or zero")
+        ->check(CLI::IsMember({"refuse", "zero"}))
+        ->type_name("N");
     AddParameterOptions(command, options);
     AddDeviceOptions(command, options.device);
 }
@@ -138,9 +176,24 @@ EffectRun::EffectRun(Device& device, const EffectOptions& options, const std::ve
     if (std::max(m_extent.widthTexels, m_extent.heightTexels) * m_samples > device.Limits().maxSideTexels)
         throw UsageError("--size {} --samples {}: the device draws at most {} samples a side", options.extent,
                          m_samples, device.Limits().maxSideTexels);
-    if (m_info.takesVolume) RequireIsoWithin(m_inputs.volume, m_values["iso"]);
+    if (m_info.takesVolume) {
+        const Volume& volume = m_inputs.volume;
+        const std::string name = options.volume.empty() ? "head" : InputName(options.volume);
+        RequireIsoWithin(volume, m_values["iso"]);
+        m_volumeLine = fmt::format("{}: {}", name, volume.what);
+        if (volume.framesInFile > 1 && !options.volumeFrame)
+            m_notes.push_back(
+                fmt::format("{}: {} volumes, of which the first is drawn; --frame 1 to {} draws another", name,
+                            volume.framesInFile, volume.framesInFile - 1));
+        if (volume.hasShear) m_notes.push_back(fmt::format("{}: its sform shears it; it is drawn without", name));
+    }
     m_inputs.extent = {m_samples * m_extent.widthTexels, m_samples * m_extent.heightTexels};
     m_effect = m_info.make(device, m_inputs, m_values);
+}
+
+void EffectRun::PrintNotes() const {
+    for (const std::string& note : m_notes)
+        fmt::print(stderr, "boxcar: {}\n", note);
 }
 
 std::vector<glm::vec4> EffectRun::Samples(double timeSeconds, std::vector<PassTime>* passes) {

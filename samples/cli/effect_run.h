@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct EffectOptions {
     std::string environment;        // a file, or one of ours
     std::string mesh;
     std::string volume;
+    std::optional<uint64_t> volumeFrame;
+    std::string upWord = "y";
+    std::string nanWord = "refuse";
     uint32_t samples = 1;  // along each side of a pixel
     DeviceOptions device;
 };
@@ -56,12 +60,20 @@ public:
     Extent2D Extent() const { return m_extent; }
     const std::vector<EffectStage>& Stages() const { return m_effect->Stages(); }
 
+    // The file that the volume was read from, and what was read of it; empty where the effect takes none.
+    const std::string& VolumeLine() const { return m_volumeLine; }
+
+    // To stderr, a line each: what of the volume's file is not drawn without having been asked about.
+    void PrintNotes() const;
+
 private:
     Device& m_device;
     const EffectInfo& m_info;
     Extent2D m_extent;
     uint32_t m_samples;
     EffectInputs m_inputs;
+    std::string m_volumeLine;
+    std::vector<std::string> m_notes;
     ParameterValues m_values;
     std::unique_ptr<Effect> m_effect;
 };

@@ -12,6 +12,7 @@
 #include "samples/cli/console.h"
 #include "samples/cli/effect_run.h"
 #include "samples/cli/render.h"
+#include "tools/layout/printable.h"
 
 namespace boxcar {
 namespace {
@@ -122,20 +123,22 @@ void Inspect(const InspectOptions& options) {
     }
     CheckedDevice device(options.device);
     EffectRun run(*device, options, settings);
+    run.PrintNotes();
     run.Samples(options.timeSeconds);
     const Image& image = FindStage(run.Stages(), options.stage);
     std::optional<glm::uvec2> pixel;
     if (!options.pixel.empty()) pixel = ParseTexel("--pixel", options.pixel, image.Extent());
     const StageTexels stage = ReadStage(*device, image);
     if (!options.output.empty()) WriteStage(stage, image, options.output);
-    const nlohmann::ordered_json summary = Summary(options.stage, stage, pixel);
+    nlohmann::ordered_json summary = Summary(options.stage, stage, pixel);
+    if (run.Info().takesVolume) summary["volume"] = run.VolumeLine();
     if (options.json) {
         PrintJson(summary);
     } else {
         std::string text;
         for (const auto& [key, value] : summary.items())
             if (!value.is_null())
-                text += fmt::format("{:6} {}\n", key, value.is_string() ? options.stage : value.dump());
+                text += fmt::format("{:6} {}\n", key, value.is_string() ? Printable(value.get<std::string>()) : value.dump());
         PrintDocument(text);
     }
     device.RequireClean();
@@ -147,7 +150,8 @@ void AddInspectCommand(CLI::App& app) {
     const auto options = std::make_shared<InspectOptions>();
     CLI::App& command = *app.add_subcommand("inspect", "Numbers of any image that an effect makes on its way");
     command.footer(
-        "Minimum, maximum and mean a channel over what is finite; how many samples are not.\n\n"
+        "Minimum, maximum and mean a channel over what is finite; how many samples are not; of a volume how its file "
+        "says that it lies.\n\n"
         "Example:\n  boxcar inspect planar-reflection --stage reflected --pixel 320,200 --json");
     AddEffectOptions(command, *options);
     command.add_option("--stage", options->stage, "Name of the image; a wrong one lists them")

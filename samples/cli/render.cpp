@@ -43,13 +43,15 @@ void Render(const RenderOptions& options) {
 
     CheckedDevice device(options.device);
     EffectRun run(*device, options, settings);
+    run.PrintNotes();
     const SampleType sampleType = SampleTypeFor(job.format, SampleType::Unorm8);
     const bool terminal = options.frames > 1 && isatty(STDERR_FILENO);
     for (uint32_t frame = 0; frame < options.frames; frame++) {
         if (terminal) fmt::print(stderr, "\r[{}/{}]", frame + 1, options.frames);
         Stats stats{.input = std::string(info.name),
                     .output = options.frames > 1 ? FrameName(job.output, frame) : job.output,
-                    .extent = run.Extent()};
+                    .extent = run.Extent(),
+                    .volume = run.VolumeLine()};
         const double time = options.timeSeconds + frame * kSecondsPerFrame;
         const Picture picture = run.Render(time, sampleType, options.stats ? &stats.passes : nullptr);
         WritePicture(picture, stats.output, job.format, sampleType);

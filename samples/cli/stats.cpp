@@ -50,6 +50,7 @@ nlohmann::ordered_json ToJson(const Stats& stats) {
 void PrintStats(const Stats& stats, const DeviceInfo& device) {
     fmt::print(stderr, "{} -> {}: {} x {}\n  device   {}, {}\n", Printable(stats.input), Printable(stats.output),
                stats.extent.widthTexels, stats.extent.heightTexels, device.name, device.driver);
+    if (!stats.volume.empty()) fmt::print(stderr, "  volume   {}\n", Printable(stats.volume));
     for (const PassTime& pass : stats.passes)
         fmt::print(stderr, "  {:14} {:9.3f} ms\n", pass.name, pass.milliseconds);
     const auto mebibytes = [](uint64_t bytes) { return static_cast<double>(bytes) / (1 << 20); };

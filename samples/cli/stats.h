@@ -19,6 +19,7 @@ struct Stats {
     double step = 0;             // of integers: what was summed are whole multiples of it, in the picture's values
     size_t rounds = 1;           // of integers: tables that were added up to make one result
     uint64_t tableBytes = 0;     // of device memory: 32 a texel for fp32 and u32, 64 for u64
+    std::string volume = {};     // which file, and what was read of it; empty where none was
     std::vector<PassTime> passes = {};
     uint64_t deviceBytes = 0;  // at the most, while this picture was worked on
 };

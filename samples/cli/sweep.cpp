@@ -137,6 +137,7 @@ void Sweep(const SweepOptions& options) {
             }
             EffectRun run(*device, options, settings);
             if (!sheet) {
+                run.PrintNotes();
                 const auto [width, height] = run.Extent();
                 if (uint64_t{width} * columns > 16384 || uint64_t{height + kLabelTexels} * rows > 16384)
                     throw UsageError("{} x {} pictures of {} x {} texels: a sheet has at most 16384 a side", columns,

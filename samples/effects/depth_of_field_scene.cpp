@@ -33,8 +33,8 @@ constexpr float kNearestWorld = 1.8f;  // depth of the nearest thing in the scen
 // The scene as one mesh, that hundreds of views draw at a command each: uv.x is the number of its part's material.
 class Scene {
 public:
-    Scene(Device& device, const MeshData& object)
-        : m_mesh(UploadMesh(device, Build(object), "scene")),
+    Scene(Device& device, const MeshData& object, const Camera& camera, Extent2D extent)
+        : m_mesh(UploadMesh(device, Build(object, camera, extent), "scene")),
           m_palette(device, {{static_cast<uint32_t>(m_materials.size()), 1}, Format::RGBA32F, "palette"}) {
         WriteTexels(device, m_palette, std::as_bytes(std::span(m_materials)));
     }
@@ -43,9 +43,11 @@ public:
     const Image& Palette() const { return m_palette; }
 
 private:
-    MeshData Build(const MeshData& object) {
+    MeshData Build(const MeshData& object, const Camera& camera, Extent2D extent) {
+        constexpr glm::vec3 kOffset{0.25f, 0, 0};
+        constexpr float kScale = 1.35f;
         const MeshData ball = Sphere(1, 48, 24), farBall = Sphere(1, 32, 16), lamp = Sphere(1, 12, 6);
-        Add(StandingMesh(object), {0.25f, 0, 0}, 1.35f, {0.90f, 0.36f, 0.12f, 0});
+        Add(StandingMesh(object, {camera, extent, kOffset, kScale}), kOffset, kScale, {0.90f, 0.36f, 0.12f, 0});
         Add(Ground(160, 1), {0, 0, 0}, 1, {0.72f, 0.70f, 0.66f, 0.8f});
         Add(ball, {-1.0f, 0.42f, 2.75f}, 0.42f, {0.16f, 0.36f, 0.75f, 0});
         Add(ball, {1.72f, 0.2f, 2.1f}, 0.2f, {0.75f, 0.70f, 0.18f, 0});
@@ -194,7 +196,7 @@ private:
 class DepthOfFieldScene : public Effect {
 public:
     DepthOfFieldScene(Device& device, const EffectInputs& inputs, const ParameterValues& values)
-        : m_scene(device, inputs.mesh),
+        : m_scene(device, inputs.mesh, m_camera, inputs.extent),
           m_drawNearest(device, LensShaders(0)),
           m_nearest(device, {inputs.extent, Format::RGBA32F, "nearest"}),
           m_depth(device, {inputs.extent, Format::Depth32F, "depth"}) {

@@ -72,6 +72,12 @@ struct FloatTables {
     SummedAreaTable front, back;
 };
 
+// Round the y axis, so that whatever is seen whole from one place is so from all.
+Camera CameraAt(float time) {
+    const float angle = 0.3f * time + 4.1f;
+    return {.eyeWorld = 2.4f * glm::vec3(std::sin(angle), 0.2f, std::cos(angle)), .verticalAngleRadians = 0.62f};
+}
+
 // What a frame shows.
 struct ReflectionFrame {
     float widthTexels = 0;  // optionA of the shaders
@@ -89,7 +95,8 @@ protected:
           m_paraboloid(device, side, mapping),
           m_reflecting(device, ReflectionShaders(lobe)),
           m_matt(device, SceneShaders("scene.ps")),
-          m_object(UploadMesh(device, StandingMesh(inputs.mesh), "object")),
+          m_object(UploadMesh(device, StandingMesh(inputs.mesh, {CameraAt(0), inputs.extent, glm::vec3(0), 1, 0.5f}),
+                              "object")),
           m_sphere(UploadMesh(device, Sphere(1, 48, 24), "sphere")),
           m_uniform(GlossTexture(device, true)),
           m_waves(GlossTexture(device, false)),
@@ -113,13 +120,9 @@ private:
         AddStage("front", *faces.front);
         AddStage("back", *faces.back);
 
-        const float angle = 0.3f * time + 4.1f;
-        const Camera camera{.eyeWorld = 2.4f * glm::vec3(std::sin(angle), 0.2f, std::cos(angle)),
-                            .targetWorld = {0, 0, 0},
-                            .verticalAngleRadians = 0.62f};
+        const Camera camera = CameraAt(time);
         const glm::mat4 clip = ClipFromWorld(camera, m_picture.Extent());
-        SceneObject object{
-            .mesh = &m_object, .offsetWorld = {0, -0.5f, 0}, .albedo = chosen.albedo, .optionA = chosen.widthTexels};
+        SceneObject object{.mesh = &m_object, .albedo = chosen.albedo, .optionA = chosen.widthTexels};
         Pass pass{.name = "object",
                   .pipeline = m_reflecting,
                   .reads = ReadTables(commands, faces, object),

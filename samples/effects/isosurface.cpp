@@ -3,13 +3,14 @@
 //   volume  ->  largest voxel of each block, once
 //   rays through blocks that reach the value  ->  points  ->  derivatives and colour, once a pixel
 //
-// Lengths are millimetres; the volume's x, y, z axes are the world's, z up.
+// Lengths are millimetres; the world's x axis goes to the body's right, y to its front, z up. The volume's own axes
+// may be turned against them: all that is drawn with is then along the volume's.
 //
 // Sigg 2005, sect. 20.4 (Figs 20-4 and 20-5); Kindlmann 2003 (curvature)
 #include <algorithm>
 #include <cmath>
+#include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
-#include <tuple>
 
 #include "hlsl/constants/isosurface_constants.h"
 #include "runtime/passes/quad_shaders.h"
@@ -69,6 +70,7 @@ class Isosurface : public Effect {
 public:
     Isosurface(Device& device, const EffectInputs& inputs, const ParameterValues&)
         : m_millimetres(inputs.volume.voxelMillimetres),
+          m_axesFromWorld(glm::transpose(inputs.volume.worldFromAxes)),
           m_extentVoxels(inputs.volume.widthVoxels, inputs.volume.heightVoxels, inputs.volume.depthVoxels),
           m_grid(inputs.volume),
           m_volume(Upload(device, inputs.volume)),
@@ -101,13 +103,14 @@ private:
         const float turn =
             glm::radians(frame.values["turn"] + kTurnDegreesPerSecond * static_cast<float>(frame.timeSeconds));
         const float rise = glm::radians(frame.values["elevation"]);
-        const glm::vec3 toEye(std::sin(turn) * std::cos(rise), std::cos(turn) * std::cos(rise), std::sin(rise));
-        const glm::vec3 right(-std::cos(turn), std::sin(turn), 0);
+        const glm::vec3 toEye = m_axesFromWorld * glm::vec3(std::sin(turn) * std::cos(rise),
+                                                            std::cos(turn) * std::cos(rise), std::sin(rise));
+        const glm::vec3 right = m_axesFromWorld * glm::vec3(-std::cos(turn), std::sin(turn), 0);
         const glm::vec3 up = glm::cross(toEye, right);
         const auto [width, height] = m_picture.Extent();
         const float aspect = static_cast<float>(width) / static_cast<float>(height);
         const float distance = ball.radius / (std::sin(kViewRadians / 2) * std::min(aspect, 1.0f));
-        const glm::vec3 eye = ball.middle + distance * toEye;
+        const glm::vec3 eye = m_axesFromWorld * ball.middle + distance * toEye;
         const float rim =
             std::tan(kViewRadians / 2) / frame.values["zoom"];  // of the picture, one unit before the eye
 
@@ -129,7 +132,13 @@ private:
             .shade = frame.values.Whole("shade"),
             .voxelMillimetres = m_millimetres,
             .radiusMillimetres = frame.values["radius"],
-            .lightMillimetres = glm::normalize(0.7f * toEye - 0.55f * right + 0.75f * up)};
+            .lightMillimetres = glm::normalize(0.7f * toEye - 0.55f * right + 0.75f * up),
+            .unused0 = 0,
+            .worldX = m_axesFromWorld[0],
+            .unused1 = 0,
+            .worldY = m_axesFromWorld[1],
+            .unused2 = 0,
+            .worldZ = m_axesFromWorld[2]};
         commands.Draw({.name = "shade",
                        .pipeline = pipelines.shade,
                        .reads = {{"volume", &m_volume}, {"hits", &m_hits}},
@@ -138,29 +147,36 @@ private:
         return m_picture;
     }
 
-    // Round the blocks that reach the value, about the middle of their box; round the volume where none does.
+    // Round the blocks that reach the value, about the middle of their box in the world; round the volume where none
+    // does. From the volume's corner, along the world's axes.
     Ball BallRoundBlocks(float iso) const {
-        std::vector<std::pair<glm::vec3, glm::vec3>> blocks;  // their corners
-        glm::vec3 least = m_extentVoxels * m_millimetres, largest(0);
+        std::vector<glm::vec3> corners;
+        const auto add = [&](glm::vec3 lowVoxels, glm::vec3 highVoxels) {
+            const glm::vec3 ends[] = {lowVoxels * m_millimetres, highVoxels * m_millimetres};
+            for (int i = 0; i < 8; i++)
+                corners.push_back(glm::vec3(ends[i & 1].x, ends[i >> 1 & 1].y, ends[i >> 2].z) * m_axesFromWorld);
+        };
         for (uint32_t z = 0; z < m_grid.blocks.z; z++)
             for (uint32_t y = 0; y < m_grid.blocks.y; y++)
                 for (uint32_t x = 0; x < m_grid.blocks.x; x++) {
                     if (m_maxima[m_grid.TexelOf({x, y, z})].x < iso) continue;
                     const glm::vec3 first(kBlockCells * glm::uvec3(x, y, z));
-                    blocks.emplace_back(first * m_millimetres,
-                                        glm::min(first + float{kBlockCells}, m_extentVoxels) * m_millimetres);
-                    least = glm::min(least, blocks.back().first);
-                    largest = glm::max(largest, blocks.back().second);
+                    add(first, glm::min(first + float{kBlockCells}, m_extentVoxels));
                 }
-        if (blocks.empty()) blocks.emplace_back(glm::vec3(0), m_extentVoxels * m_millimetres);
-        if (blocks.size() == 1) std::tie(least, largest) = blocks[0];
+        if (corners.empty()) add(glm::vec3(0), m_extentVoxels);
+        glm::vec3 least(INFINITY), largest(-INFINITY);
+        for (const glm::vec3 corner : corners) {
+            least = glm::min(least, corner);
+            largest = glm::max(largest, corner);
+        }
         Ball ball{0.5f * (least + largest), 0};
-        for (const auto& [low, high] : blocks)
-            ball.radius = std::max(ball.radius, glm::length(glm::max(ball.middle - low, high - ball.middle)));
+        for (const glm::vec3 corner : corners)
+            ball.radius = std::max(ball.radius, glm::length(corner - ball.middle));
         return ball;
     }
 
     glm::vec3 m_millimetres;  // sides of a voxel
+    glm::mat3 m_axesFromWorld;
     glm::vec3 m_extentVoxels;
     BlockGrid m_grid;
     Image m_volume, m_blockMaxima;
@@ -189,8 +205,9 @@ EffectInfo IsosurfaceInfo() {
                            {"iso", "The surface's value, in the volume's units", "", -1e6f, 1e6f, 92},
                            {"step", "Along a ray, from look to look", "voxels", 0.1f, 2, 0.5f},
                            {"radius", "Of a curvature that has its full colour", "mm", 0.1f, 1000, 3},
-                           {"turn", "Of the eye round the z axis; at 0 it is on the side of +y", "degrees", -180, 180,
-                            -125},
+                           {"turn",
+                            "Of the eye round the z axis; at 0 it looks at the front (+y), at 90 at the right (+x)",
+                            "degrees", -180, 180, -125},
                            {"elevation", "Of the eye over the x-y plane", "degrees", -90, 90, 25},
                            {"zoom", "1 shows all of it", "", 0.1f, 20, 1}},
             .takesVolume = true,

@@ -13,8 +13,9 @@
 namespace boxcar {
 namespace {
 
-constexpr float kFarWorld = 40;         // how far the sky is, for the reflection's width
-constexpr float kBrightest = 2;         // of the reflected light, which is coded in 16 bits
+constexpr float kFarWorld = 40;  // how far the sky is, for the reflection's width
+constexpr float kBrightest = 2;  // of the reflected light, which is coded in 16 bits
+constexpr float kObjectScale = 1.5f;
 constexpr float kLargestRoughness = 1;  // of the parameter
 
 class PlanarReflection : public Effect {
@@ -23,7 +24,8 @@ public:
         : m_coneTexels(TexelsAtDepthOne(m_camera, inputs.extent)),
           m_codes{65535 / kBrightest, 65535, false},
           m_precision(SATExactPrecision(glm::vec2(kLargestRoughness * m_coneTexels), 1, false, m_codes)),
-          m_object(UploadMesh(device, StandingMesh(inputs.mesh), "object")),
+          m_object(UploadMesh(
+              device, StandingMesh(inputs.mesh, {m_camera, inputs.extent, glm::vec3(0), kObjectScale}), "object")),
           m_sphere(UploadMesh(device, Sphere(1, 64, 32), "sphere")),
           m_ground(UploadMesh(device, Ground(24, 1), "floor")),
           m_mirrored(device, SceneShaders("planar_reflected.ps")),
@@ -38,7 +40,7 @@ private:
     const Image& Draw(CommandList& commands, const Frame& frame) override {
         const auto turn = static_cast<float>(frame.timeSeconds);
         const SceneObject objects[] = {
-            {.mesh = &m_object, .scale = 1.5f, .turnRadians = 0.5f * turn, .albedo = {0.80f, 0.55f, 0.40f}},
+            {.mesh = &m_object, .scale = kObjectScale, .turnRadians = 0.5f * turn, .albedo = {0.80f, 0.55f, 0.40f}},
             {.mesh = &m_sphere, .offsetWorld = {-1.45f, 0.4f, -0.3f}, .scale = 0.4f, .albedo = {0.25f, 0.5f, 0.8f}},
             {.mesh = &m_sphere,
              .offsetWorld = {1.45f, 1.0f + 0.35f * std::sin(turn), -0.5f},

@@ -19,6 +19,8 @@ namespace {
 
 constexpr float kLampDistance = 7;
 constexpr float kLampReach = 3.5f;  // things cast shadows up to this far before and behind the middle of the scene
+constexpr glm::vec3 kObjectOffset{-0.2f, 0, 0.1f};
+constexpr float kObjectScale = 1.3f;
 constexpr float kLampAngleRadians = 0.9f;
 
 Extent2D MapExtent(const ParameterValues& values) {
@@ -40,7 +42,8 @@ MeshData Post() {
 class SoftShadow : public Effect {
 public:
     SoftShadow(Device& device, const EffectInputs& inputs, const ParameterValues& values)
-        : m_object(UploadMesh(device, StandingMesh(inputs.mesh), "object")),
+        : m_object(UploadMesh(
+              device, StandingMesh(inputs.mesh, {m_camera, inputs.extent, kObjectOffset, kObjectScale}), "object")),
           m_sphere(UploadMesh(device, Sphere(1, 64, 32), "sphere")),
           m_post(UploadMesh(device, Post(), "post")),
           m_ground(UploadMesh(device, Ground(40, 1), "ground")),
@@ -130,8 +133,8 @@ private:
         return {
             {.mesh = &m_ground, .albedo = {0.66f, 0.62f, 0.56f}, .checkWorld = 0.75f},
             {.mesh = &m_object,
-             .offsetWorld = {-0.2f, 0, 0.1f},
-             .scale = 1.3f,
+             .offsetWorld = kObjectOffset,
+             .scale = kObjectScale,
              .turnRadians = 0.2f * time,
              .albedo = {0.80f, 0.55f, 0.40f}},
             {.mesh = &m_post, .offsetWorld = {-1.7f, 0, 0.3f}, .scale = 1.7f, .albedo = {0.75f, 0.72f, 0.68f}},

@@ -16,6 +16,7 @@ namespace boxcar {
 namespace {
 
 constexpr SATCodes kCodes{65535 / 2.0f, 65535, false};  // light up to 2
+constexpr float kObjectScale = 1.25f;
 constexpr float kLargestEtching = 1, kThickestOverDistance = 0.6f;
 
 PipelineDesc FarSides() {
@@ -32,7 +33,8 @@ public:
           m_opaque(device, SceneShaders("scene.ps")),
           m_farSides(device, FarSides()),
           m_glass(device, SceneShaders(fmt::format("glass.ps.WORDS={}", WordsOf(m_precision)))),
-          m_object(UploadMesh(device, StandingMesh(inputs.mesh), "object")),
+          m_object(UploadMesh(
+              device, StandingMesh(inputs.mesh, {m_camera, inputs.extent, glm::vec3(0), kObjectScale}), "object")),
           m_sphere(UploadMesh(device, Sphere(1, 96, 48), "sphere")),
           m_ground(UploadMesh(device, Ground(24, 1), "floor")),
           m_picture(device, {inputs.extent, Format::RGBA32F, "picture"}),
@@ -96,7 +98,7 @@ private:
 
     std::vector<SceneObject> GlassObjects(float time, const ParameterValues& values) const {
         SceneObject object{.mesh = &m_object,
-                           .scale = 1.25f,
+                           .scale = kObjectScale,
                            .turnRadians = 0.5f * time,
                            .albedo = {0.75f, 0.95f, 0.85f},
                            .optionA = values["etching"] * m_focalTexels,

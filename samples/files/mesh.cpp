@@ -36,37 +36,45 @@ std::string_view NextWord(std::string_view& line) {
     return word;
 }
 
+// What a kind of lines holds so far.
+struct Known {
+    const char* one;
+    const char* several;
+    uint32_t count = 0;
+    uint64_t missedInLine = 0;  // the first line that had an index where there was none yet
+};
+
 // Looks through the text before tinyobjloader does, which takes what is no number for 0, only warns of indices out of
-// range, and gives tags as much memory as they ask for. So it is handed the lines that have been looked at, no
-// others.
+// range, knows no continued lines and no comments behind numbers, and gives tags as much memory as they ask for. So
+// it is handed the lines that have been looked at, no others, each in one piece and with the indices that it has.
 class Checker {
 public:
     explicit Checker(const MeshLimits& limits) : m_limits(limits) {}
 
     // The lines that make up the mesh.
     std::string Checked(std::string_view text) {
-        std::string kept;
+        constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+        if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
         while (!text.empty()) {
-            m_line++;
-            const std::string_view line = Next(text, "\n");
-            std::string_view rest = line.ends_with('\r') ? line.substr(0, line.size() - 1) : line;
-            if (rest.find_first_of(std::string_view("\0\r", 2)) != rest.npos)
-                Fail("has a zero byte or a lone carriage return; OBJ is text");
+            const std::string_view line = NextStatement(text);
+            std::string_view rest = line;
             const std::string_view word = NextWord(rest);
-            if (word == "v")
-                CheckNumbers(rest, m_positions, 3, "a position");
-            else if (word == "vn")
-                CheckNumbers(rest, m_normals, 3, "a normal");
-            else if (word == "vt")
-                CheckNumbers(rest, m_uvs, 2, "a uv");
-            else if (word == "f")
+            if (word == "f") {
                 CheckFace(rest);
+                continue;
+            }
+            if (word == "v")
+                CheckNumbers(rest, m_positions, 3, 3);
+            else if (word == "vn")
+                CheckNumbers(rest, m_normals, 3, 3);
+            else if (word == "vt")
+                CheckNumbers(rest, m_uvs, 1, 2);
             else
                 continue;
-            kept.append(line).append("\n");
+            m_kept.append(line).append("\n");
         }
         if (m_triangles == 0) throw Error("it has no face; an OBJ mesh is expected");
-        return kept;
+        return std::move(m_kept);
     }
 
 private:
@@ -75,32 +83,66 @@ private:
         throw Error("line {} {}", m_line, fmt::format(format, std::forward<Args>(args)...));
     }
 
-    void CheckNumbers(std::string_view rest, uint32_t& count, int needed, const char* what) {
-        for (int i = 0; i < needed; i++) {
+    // Without its comment.
+    std::string_view NextLine(std::string_view& text) {
+        m_linesRead++;
+        std::string_view line = Next(text, "\n");
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        if (line.find_first_of(std::string_view("\0\r", 2)) != line.npos)
+            Fail("has a zero byte or a lone carriage return; OBJ is text");
+        return line.substr(0, line.find('#'));
+    }
+
+    // A line and those that a backslash at its end goes on with.
+    std::string_view NextStatement(std::string_view& text) {
+        m_line = m_linesRead + 1;
+        std::string_view line = NextLine(text);
+        if (!line.ends_with('\\')) return line;
+        m_joined.clear();
+        for (; line.ends_with('\\'); line = NextLine(text)) {
+            line.remove_suffix(1);
+            m_joined.append(line).append(" ");
+        }
+        m_joined.append(line);
+        return m_joined;
+    }
+
+    // The first `most` words, of which `needed` must be there.
+    void CheckNumbers(std::string_view rest, Known& known, int needed, int most) {
+        for (int i = 0; i < most; i++) {
             std::string_view word = NextWord(rest);
+            if (word.empty() && i >= needed) break;
             if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
             double number = 0;
             const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
             const bool isWhole = !word.empty() && end == word.data() + word.size() && error == std::errc();
             if (!isWhole || !(std::abs(number) <= std::numeric_limits<float>::max()))
-                Fail("is {} without {} finite numbers", what, needed);
+                Fail("is {} without {} finite numbers", known.one, needed == most ? "3" : "1 or 2");
         }
-        if (++count > m_limits.maxVertices) Fail("is {} more than the {} that are read", what, m_limits.maxVertices);
+        if (known.missedInLine > 0) {
+            m_line = known.missedInLine;
+            Fail("has an index out of range: there are 0 {} so far", known.several);
+        }
+        if (++known.count > m_limits.maxVertices)
+            Fail("is {} more than the {} that are read", known.one, m_limits.maxVertices);
     }
 
     void CheckFace(std::string_view rest) {
         uint32_t corners = 0;
+        m_kept.append("f");
         for (std::string_view corner = NextWord(rest); !corner.empty(); corner = NextWord(rest)) {
-            const bool hasUv = corner.find('/') != corner.npos && corner.find("//") == corner.npos;
-            const bool hasNormal = std::ranges::count(corner, '/') == 2;
-            CheckIndex(Next(corner, "/"), m_positions, "positions");
-            if (hasUv) CheckIndex(Next(corner, "/"), m_uvs, "uv");
-            if (hasNormal && !hasUv) Next(corner, "/");
-            if (hasNormal) CheckIndex(Next(corner, "/"), m_normals, "normals");
-            if (!corner.empty()) Fail("has a corner that is none of v, v/vt, v//vn, v/vt/vn");
+            if (std::ranges::count(corner, '/') > 2) FailCorner();
+            const std::string_view position = Next(corner, "/"), uv = Next(corner, "/"), normal = corner;
+            CheckIndex(position, m_positions);
+            const bool hasUv = HasIndex(uv, m_uvs), hasNormal = HasIndex(normal, m_normals);
+            m_kept.append(" ").append(position);
+            if (hasUv || hasNormal) m_kept.append("/");
+            if (hasUv) m_kept.append(uv);
+            if (hasNormal) m_kept.append("/").append(normal);
             if (++corners > kMaxCorners)
                 Fail("is a face of more than {} corners, the most that are read", kMaxCorners);
         }
+        m_kept.append("\n");
         if (corners < 3) Fail("is a face of {} corners; 3 to {} are expected", corners, kMaxCorners);
         m_triangles += corners - 2;
         if (m_triangles > m_limits.maxTriangles)
@@ -108,18 +150,37 @@ private:
     }
 
     // 1 is the first; -1 is the last so far.
-    void CheckIndex(std::string_view word, uint32_t count, const char* what) const {
+    int64_t IndexOf(std::string_view word) const {
         int64_t index = 0;
         const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), index);
-        if (word.empty() || end != word.data() + word.size() || error == std::errc::invalid_argument)
-            Fail("has a corner that is none of v, v/vt, v//vn, v/vt/vn");
-        if (error != std::errc() || index == 0 || std::abs(index) > count)
-            Fail("has an index out of range: there are {} {} so far", count, what);
+        if (word.empty() || end != word.data() + word.size() || error == std::errc::invalid_argument) FailCorner();
+        return error == std::errc() ? index : 0;
     }
 
+    void CheckIndex(std::string_view word, const Known& known) const {
+        const int64_t index = IndexOf(word);
+        if (index == 0 || std::abs(index) > known.count)
+            Fail("has an index out of range: there are {} {} so far", known.count, known.several);
+    }
+
+    // Some programs write indices of what they have not written: where a file has none at all they mean nothing.
+    bool HasIndex(std::string_view word, Known& known) {
+        if (word.empty()) return false;
+        if (known.count > 0 || IndexOf(word) == 0)
+            CheckIndex(word, known);
+        else if (known.missedInLine == 0)
+            known.missedInLine = m_line;
+        return known.count > 0;
+    }
+
+    [[noreturn]] void FailCorner() const { Fail("has a corner that is none of v, v/vt, v//vn, v/vt/vn"); }
+
     const MeshLimits& m_limits;
-    uint64_t m_line = 0;
-    uint32_t m_positions = 0, m_normals = 0, m_uvs = 0, m_triangles = 0;
+    std::string m_kept, m_joined;
+    uint64_t m_line = 0;  // at which the statement begins
+    uint64_t m_linesRead = 0;
+    Known m_positions{"a position", "positions"}, m_normals{"a normal", "normals"}, m_uvs{"a uv", "uv"};
+    uint32_t m_triangles = 0;
 };
 
 using Corner = tinyobj::index_t;

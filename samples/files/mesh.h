@@ -29,6 +29,10 @@ struct MeshLimits {
 //
 //   path  a file, or "-" for standard input
 //
+// A line that ends in a backslash goes on in the next; what stands behind a # is a comment; a mark of UTF-8 in front
+// is passed over. Indices of normals or uv, in a file that has not one of them, are passed over, and so are slashes
+// with nothing behind them.
+//
 // Corners with the same position, normal and uv become one vertex. A face of up to 255 corners becomes a fan of
 // triangles round its first one, which is right for convex faces. Normals are made of length 1; where the file has
 // none, or one of length 0, they are the mean of the faces round the position, each weighted by its area. uv have

@@ -25,7 +25,8 @@ Environment EnvironmentFrom(Picture picture, const std::string& name) {
         glm::vec4 texel(1);
         for (uint32_t c = 0; c < 3; c++) {
             const float value = picture.samples[i + std::min(c, colours - 1)];
-            if (!std::isfinite(value)) throw Error("{}: {} in it; light is finite", name, value);
+            if (!std::isfinite(value))
+                throw Error("{}: {} in it; light is finite (--nan zero replaces it)", name, value);
             texel[static_cast<int>(c)] = std::max(value, 0.0f);
         }
         environment.texels.push_back(texel);

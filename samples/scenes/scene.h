@@ -34,8 +34,22 @@ PipelineDesc SceneShaders(const std::string& pixel, std::vector<Format> targets 
 void DrawObjects(CommandList& commands, Pass first, std::span<const SceneObject> objects,
                  const glm::mat4& clipFromWorld, glm::vec3 eyeWorld);
 
-// The mesh moved and scaled so that it stands on y = 0, round the y axis, and is one unit high.
-MeshData StandingMesh(MeshData mesh);
+// Where a scene shows an object of the user's, which may be of any size and shape.
+struct Stand {
+    const Camera& camera;
+    Extent2D extent;           // texels; of the picture
+    glm::vec3 offsetWorld{0};  // of the object; must be in the picture
+    float scale = 1;           // world units in one of the mesh's that comes back
+    float middle = 0;          // the share of its height that lies at the offset: 0 it stands there, 0.5 it floats
+};
+
+// The mesh moved so that it is round the y axis, and scaled by one number so that it is whole in the picture however
+// it is turned about that axis: one unit high where it can be, and less where it would reach more than 1.25 to a
+// side, out of the picture or too near to the eye. 2 % of the picture are left free at its rims.
+MeshData StandingMesh(MeshData mesh, const Stand& stand);
+
+// The same mesh with +z going up, where files have z up: it is turned, not mirrored.
+MeshData TurnedZUp(MeshData mesh);
 
 inline Mesh UploadMesh(Device& device, const MeshData& mesh, const std::string& name) {
     return {device, mesh.vertices, mesh.indices, name};

@@ -1,5 +1,7 @@
 #include "samples/scenes/volumes.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
@@ -10,7 +12,8 @@ namespace boxcar {
 
 Volume MarschnerLobb(uint32_t side) {
     constexpr double kAlpha = 0.25, kFrequency = 6, kPi = glm::pi<double>();
-    Volume volume{side, side, side, glm::vec3(1), {}};
+    Volume volume{.widthVoxels = side, .heightVoxels = side, .depthVoxels = side};
+    volume.what = fmt::format("{0} x {0} x {0} voxels, computed", side);
     const auto at = [&](uint32_t i) { return 2 * (i + 0.5) / side - 1; };
     for (uint32_t z = 0; z < side; z++)
         for (uint32_t y = 0; y < side; y++)

@@ -75,49 +75,6 @@ TEST(Render, TakesAMeshAndAnEnvironmentFromFiles) {
         EXPECT_NEAR(sample, 0.25, 0.04);
 }
 
-// 4 x 4 x 4 voxels that are 100 inside and 0 at the sides.
-Bytes SmallVolume() {
-    Bytes file(352 + 64);
-    file[0] = 348 & 255, file[1] = 348 >> 8;
-    file[40] = 3, file[42] = file[44] = file[46] = 4;
-    file[70] = 2, file[72] = 8;
-    for (size_t i = 80; i < 92; i += 4)
-        file[i + 2] = 128, file[i + 3] = 63;  // 1 millimetre
-    file[110] = 176, file[111] = 67;          // 352
-    file[344] = 'n', file[345] = '+', file[346] = '1';
-    for (const size_t z : {1, 2})
-        for (const size_t y : {1, 2})
-            for (const size_t x : {1, 2})
-                file[352 + 16 * z + 4 * y + x] = 100;
-    return file;
-}
-
-TEST(Render, DrawsTheSurfaceOfAVolumeWithParametersAsFlags) {
-    const Folder folder;
-    WriteFileAtomically(folder.Path("scan.nii"), SmallVolume());
-    const std::string command = "render isosurface --volume scan.nii --size 40x30 ";
-    const Outcome outcome = folder.Run(command + "--iso 40 --shade ridges --filter trilinear -o flags.png");
-    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
-    ASSERT_EQ(folder.Run(command + "--set iso=40 --set shade=ridges --set filter=trilinear -o sets.png").exitCode, 0);
-    ASSERT_EQ(folder.Run(command + "--iso 0 -o full.png").exitCode, 0);
-    const Picture flags = ReadPicture(folder.Path("flags.png")), sets = ReadPicture(folder.Path("sets.png"));
-    EXPECT_EQ(flags.samples, sets.samples);
-    EXPECT_NE(flags.samples, ReadPicture(folder.Path("full.png")).samples);
-    const auto expect = [&](const std::string& arguments, int exitCode, const std::string& line) {
-        const Outcome refused = folder.Run("render " + arguments + " -o refused.png");
-        EXPECT_EQ(refused.exitCode, exitCode) << arguments;
-        EXPECT_EQ(refused.err, "boxcar: " + line + "\n");
-    };
-    folder.WriteText("text.nii", "a text");
-    expect("isosurface --volume text.nii", 1, "text.nii: it is too short for a NIfTI-1 volume");
-    expect("isosurface --volume none.nii", 1, "none.nii: cannot be read: No such file or directory");
-    expect("isosurface --volume scan.nii --iso -101", 2, "iso=-101: the volume holds values from 0 to 100");
-    expect("isosurface --shade dark", 2, "shade=dark: expected one of phong, curvature, ridges, normal, maximum");
-    expect("isosurface --roughness 1", 2,
-           "no parameter 'roughness'; there is filter, shade, iso, step, radius, turn, elevation, zoom");
-    expect("planar-reflection --volume head", 2, "--volume head: planar-reflection has no use for it");
-}
-
 TEST(Render, RefusesWhatItCannotDoInOneLine) {
     const Folder folder;
     folder.WriteText("broken.obj", "v 1 2\n");

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/trigonometric.hpp>
 #include <glm/vector_relational.hpp>
 #include <tuple>
 
@@ -61,6 +63,45 @@ TEST(Isosurface, PointsOfABallLieOnItWhateverTheVoxelsSides) {
         }
         EXPECT_GT(hits, 150);
     }
+}
+
+// A ball, of which every point is seen in the world where a pinhole sees it, and has the world's normal as its
+// colour.
+TEST(Isosurface, VolumesThatAreTurnedAreSeenFromWhereTheWorldIsSeenFrom) {
+    constexpr double kTurn = 0.6, kRise = 0.35;  // radians
+    constexpr Extent2D kExtent{192, 128};
+    const glm::dvec3 sides(1, 0.5, 2), middle = 16.0 * sides;
+    // A bright voxel at each corner, so that the eye sees the whole volume.
+    Volume volume = VolumeOf(32, sides, [&](glm::dvec3 p) {
+        const bool isCorner = glm::all(glm::greaterThan(glm::abs(p / sides - 16.0), glm::dvec3(15)));
+        return isCorner ? 0 : -glm::dot(p - middle, p - middle);
+    });
+    const double distance = glm::length(middle) / std::sin(kViewRadians / 2);
+    const glm::dmat3 turn = glm::mat3_cast(glm::angleAxis(0.7, glm::normalize(glm::dvec3(1, -2, 3))));
+    volume.worldFromAxes = turn;
+    const Shot shot = Shoot(volume, kExtent,
+                            {{"iso", "-36"},
+                             {"turn", fmt::format("{}", glm::degrees(kTurn))},
+                             {"elevation", fmt::format("{}", glm::degrees(kRise))},
+                             {"shade", "normal"}});
+    const glm::dvec3 toEye(std::sin(kTurn) * std::cos(kRise), std::cos(kTurn) * std::cos(kRise), std::sin(kRise));
+    const glm::dvec3 right(-std::cos(kTurn), std::sin(kTurn), 0), up = glm::cross(toEye, right);
+    int hits = 0;
+    for (uint32_t y = 0; y < kExtent.heightTexels; y++)
+        for (uint32_t x = 0; x < kExtent.widthTexels; x++) {
+            const size_t at = y * kExtent.widthTexels + x;
+            if (shot.points[at].w != 1) continue;
+            const glm::dvec3 world = turn * (glm::dvec3(shot.points[at]) * sides - middle);
+            const double rim = std::tan(kViewRadians / 2) / (kExtent.heightTexels / 2.0);
+            const double u = (x + 0.5 - kExtent.widthTexels / 2.0) * rim;
+            const double v = (kExtent.heightTexels / 2.0 - y - 0.5) * rim;
+            EXPECT_NEAR(glm::dot(world, right), u * (distance - glm::dot(world, toEye)), 0.003);
+            EXPECT_NEAR(glm::dot(world, up), v * (distance - glm::dot(world, toEye)), 0.003);
+            for (int c = 0; c < 3; c++)
+                EXPECT_NEAR(shot.picture[at][c], 0.5 + 0.5 * glm::normalize(world)[c], 0.002);
+            hits++;
+        }
+    EXPECT_GT(hits, 250);
 }
 
 // Every step in double, no block passed over.
@@ -179,7 +220,9 @@ TEST(Isosurface, OffsetsInCppEqualThoseInTheShaders) {
                        OFFSET(March, upVoxels)}));
     EXPECT_EQ(OffsetsIn("shaders/isosurface_shade.ps.FILTER=TRICUBIC"),
               (Offsets{OFFSET(Shade, eyeMillimetres), OFFSET(Shade, shade), OFFSET(Shade, voxelMillimetres),
-                       OFFSET(Shade, radiusMillimetres), OFFSET(Shade, lightMillimetres)}));
+                       OFFSET(Shade, radiusMillimetres), OFFSET(Shade, lightMillimetres), OFFSET(Shade, unused0),
+                       OFFSET(Shade, worldX), OFFSET(Shade, unused1), OFFSET(Shade, worldY), OFFSET(Shade, unused2),
+                       OFFSET(Shade, worldZ)}));
     EXPECT_EQ(OffsetsIn("shaders/isosurface_blocks.ps"), (Offsets{OFFSET(IsosurfaceBlocksConstants, blocksAcross)}));
 }
 

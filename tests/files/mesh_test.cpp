@@ -53,6 +53,37 @@ TEST(MeshFile, FacesBecomeFansAndTheirCornersAreSharedWhereAllThreeAreTheSame) {
     EXPECT_EQ(Read("v 0 0 0\r\nv 2 0 0\r\nv 2 1 0\r\nf 1\t2  3 \r\n").indices, Indices({0, 1, 2}));
 }
 
+// Each says the same in another way that is allowed.
+TEST(MeshFile, WaysToWriteOneMeshAreReadAsIt) {
+    const std::string face = "f 1 2 3\nf 1 3 4\n";
+    const MeshData expected = Read(kSquare + face);
+    const std::string same[] = {
+        "\xef\xbb\xbf" + kSquare + face,
+        kSquare + "f 1 2 3 # front\nf 1 3 4# back \\\n",
+        "# a path \\\n" + kSquare + face,
+        "v 0 0 0\nv 2 \\\n0 0\nv 2 1\\\r\n0\n\\\n\\\nv 0 1 0\n" + face,
+        kSquare + "f 1 2\\\n\\\n3\nf \\\n1 3 4 \\",
+        kSquare + "f 1/ 2/ 3/\nf 1// 3// 4//\n",
+        kSquare + "f 1/1 2/2 3/3\nf 1/7 3/8 4/9\n",
+        kSquare + "f 1//1 2//2 3//3\nf 1/-1/-1 3/1/1 4//9\n",
+        kSquare + "f -4 -3 -2\nf -4 -2 -1\n",
+        "v 0 0 0 1 0 0\nv 2 0 0 1\nv 2 1 0 0.5 0.5 0.5 1\nv 0 1 0 # red\n" + face,
+    };
+    for (const std::string& text : same) {
+        const MeshData mesh = Read(text);
+        EXPECT_EQ(mesh.vertices, expected.vertices) << text;
+        EXPECT_EQ(mesh.indices, expected.indices) << text;
+    }
+    // Slashes with nothing behind them, in a file that has normals and uv.
+    const MeshData mixed = Read(kSquare + "vt 0.5\nvn 0 0 -1\nf 1/1/ 2//1 3/ 4/1/1\n");
+    EXPECT_EQ(mixed.vertices, std::vector<Vertex>({{{0, 0, 0}, {0, 0, 1}, {0.5f, 1}},
+                                                   {{2, 0, 0}, {0, 0, -1}, {0, 0}},
+                                                   {{2, 1, 0}, {0, 0, 1}, {0, 0}},
+                                                   {{0, 1, 0}, {0, 0, -1}, {0.5f, 1}}}));
+    // Lines are counted as an editor counts them.
+    EXPECT_EQ(ErrorFor("v 0 \\\n0 0\nv 1 \\\nx 0\n"), "line 3 is a position without 3 finite numbers");
+}
+
 // A corner of three faces with areas 1/2 * (1, 2, 4) along x, y and z.
 TEST(MeshFile, NormalsThatItDoesNotHaveAreTheFacesWeightedByArea) {
     const std::string corner = "v 0 0 0\nv 1 0 0\nv 0 4 0\nv 0 0 2\n";  // cross products: x: 8, y: 2, z: 4
@@ -104,7 +135,8 @@ TEST(MeshFile, NumbersThatAreNoneOrNotFiniteAreRefused) {
                                                              : "line 2 is a position without 3 finite numbers");
     }
     EXPECT_EQ(ErrorFor("vn 1 2\n"), "line 1 is a normal without 3 finite numbers");
-    EXPECT_EQ(ErrorFor("vt 1\n"), "line 1 is a uv without 2 finite numbers");
+    for (const std::string numbers : {"", "x", "1 x", "1 nan"})
+        EXPECT_EQ(ErrorFor("vt " + numbers + "\n"), "line 1 is a uv without 1 or 2 finite numbers");
     EXPECT_EQ(ErrorFor("v 0 0 0." + std::string(600, '0') + "1e600\n" + kSquare + "f 1 2 3\n"),
               "one of its numbers has too many digits");
     // A number too small for a float is 0.
@@ -115,13 +147,19 @@ TEST(MeshFile, FacesThatAreNoneAreRefused) {
     const auto errorOf = [](const std::string& face) { return ErrorFor(kSquare + face + "\n"); };
     EXPECT_EQ(errorOf("f 1 2"), "line 5 is a face of 2 corners; 3 to 255 are expected");
     EXPECT_EQ(errorOf("f"), "line 5 is a face of 0 corners; 3 to 255 are expected");
-    for (const std::string corner : {"x", "1.5", "1/", "1//", "/1", "1/1/", "1///1", "1/1/1/1", "#", "1\\"})
+    for (const std::string corner : {"x", "1.5", "/1", "//1", "1///1", "1/1/1/1", "1/1/1/", "1/x", "1//x", "1\\ "})
         EXPECT_TRUE(errorOf("vt 0 0\nvn 0 0 1\nf 1 2 " + corner)
                         .ends_with("has a corner that is none of v, v/vt, v//vn, v/vt/vn"))
             << corner;
     for (const std::string index : {"0", "5", "-5", "2147483648", "4294967297", "99999999999999999999"})
         EXPECT_EQ(errorOf("f 1 2 " + index), "line 5 has an index out of range: there are 4 positions so far");
-    EXPECT_EQ(errorOf("f 1/1 2/1 3/1"), "line 5 has an index out of range: there are 0 uv so far");
+    EXPECT_EQ(errorOf("f 1 2 # 3"), "line 5 is a face of 2 corners; 3 to 255 are expected");
+    EXPECT_EQ(errorOf("f 1 2 \\\nv 1 2 3"), "line 5 has a corner that is none of v, v/vt, v//vn, v/vt/vn");
+    EXPECT_EQ(errorOf("f 1/0 2/1 3/1"), "line 5 has an index out of range: there are 0 uv so far");
+    // Where some come behind the face the file is not one that has none.
+    EXPECT_EQ(errorOf("f 1/1 2/1 3/1\nf 1 2 3\nvt 0 0"), "line 5 has an index out of range: there are 0 uv so far");
+    EXPECT_EQ(errorOf("f 1//-1 2 3\nf 1 2 3\nvn 0 0 1"),
+              "line 5 has an index out of range: there are 0 normals so far");
     EXPECT_EQ(errorOf("vn 0 0 1\nf 1//1 2//2 3//1"), "line 6 has an index out of range: there are 1 normals so far");
 }
 
@@ -161,7 +199,7 @@ TEST(MeshFile, LinesOfOtherKindsArePassedOver) {
 TEST(MeshFile, DamagedFilesAreMeshesOrErrors) {
     const TemporaryFolder folder;
     const std::string whole =
-        kSquare + "vt 0 0\nvt 1 1\nvn 0 0 1\nf 1/1/1 2/2/1 -2/-1/-1\nf 1//1 3//1 4//1\nf 1 2 3 4\n";
+        kSquare + "vt 0 0\nvt 1\nvn 0 0 1\nf 1/1/1 2/2/1 -2/-1/-1\nf 1//1 3//1 4//1 # c\nf 1/ 2 \\\n3 4\n";
     int meshes = 0, errors = 0;
     const auto tryText = [&](const std::string& text) {
         const std::string path = folder.Put("m.obj", ToBytes(text));
@@ -180,7 +218,7 @@ TEST(MeshFile, DamagedFilesAreMeshesOrErrors) {
     for (size_t length = 0; length < whole.size(); length++)
         tryText(whole.substr(0, length));
     for (size_t at = 0; at < whole.size(); at++)
-        for (const char byte : {'\0', '\n', '\r', ' ', '/', '-', '0', '9', '.', 'e', 'f', '\xff'}) {
+        for (const char byte : {'\0', '\n', '\r', ' ', '/', '-', '0', '9', '.', 'e', 'f', '#', '\\', '\xff'}) {
             std::string text = whole;
             text[at] = byte;
             tryText(text);
