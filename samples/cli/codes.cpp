@@ -17,11 +17,11 @@ double LargestCode(SampleType stored) {
 }
 
 // Linear light of every code.
-std::vector<double> LightOfCodes(SampleType stored) {
-    const double largest = LargestCode(stored);
+std::vector<double> LightOfCodes(const Picture& picture) {
+    const double largest = LargestCode(picture.stored);
     std::vector<double> light(static_cast<size_t>(largest) + 1);
     for (size_t i = 0; i < light.size(); i++)
-        light[i] = SrgbToLinear(static_cast<double>(i) / largest);
+        light[i] = ToLinear(picture.colorSpace, static_cast<double>(i) / largest);
     return light;
 }
 
@@ -60,7 +60,7 @@ CodeWords EncodeRows(const Picture& picture, Transfer transfer, SATPrecision pre
     const bool isFloat = picture.stored == SampleType::Float32;
     const bool isLight = transfer == Transfer::Srgb && !isFloat;
     const double scale = isFloat ? kHalfScale : LargestCode(picture.stored);
-    const std::vector<double> light = isLight ? LightOfCodes(picture.stored) : std::vector<double>();
+    const std::vector<double> light = isLight ? LightOfCodes(picture) : std::vector<double>();
     const float* sample = picture.samples.data() + channels * firstRow * picture.widthTexels;
 
     CodeWords words;
