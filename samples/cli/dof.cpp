@@ -144,7 +144,7 @@ Stats Focus(Device& device, const Job& job, const DofOptions& options) {
                                                         : FocusByOneTable(device, photograph, options);
     RequireFiniteSums(focused.texels, job.input);
     const SampleType sampleType = SampleTypeFor(job.format, picture.stored);
-    WritePicture(FromLight(focused.texels, picture, transfer, sampleType), job.output, job.format, sampleType);
+    WriteResult(FromLight(focused.texels, picture, transfer, sampleType), job.output, job.format, sampleType);
     return {.input = job.input,
             .output = job.output,
             .extent = extent,

@@ -15,7 +15,9 @@ constexpr double kLargestTime = 1e6;  // scenes move by floats
 
 Environment ReadEnvironment(const std::string& name) {
     if (name == "city" || name == "studio" || name == "venice") return SampleEnvironment(name);
-    return EnvironmentFrom(ReadPicture(name), name);
+    const Picture picture = ReadPicture(name);
+    ReportNotes(name, picture);
+    return EnvironmentFrom(picture, name);
 }
 
 EffectInputs InputsOf(const EffectInfo& info, const EffectOptions& options) {

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <filesystem>
 
+#include "samples/files/bytes.h"
 #include "samples/files/color.h"
 
 namespace boxcar {
@@ -71,9 +72,15 @@ void AddTapsOption(CLI::App& command, TapsOption& taps) {
         ->type_name("T");
 }
 
+void ReportNotes(const std::string& path, const Picture& picture) {
+    for (const std::string& note : picture.notes)
+        fmt::print(stderr, "boxcar: {}: {}\n", InputName(path), note);
+}
+
 Picture ReadForDevice(const std::string& path, const Device& device, const ReadOptions& options) {
     const DeviceLimits& limits = device.Limits();
     Picture picture = ReadPicture(path, {limits.maxSideTexels, limits.maxImageBytes});
+    ReportNotes(path, picture);
     if (options.nanWord == "zero") {
         ZeroNotFinite(picture);
     } else if (const auto at = FirstNotFinite(picture)) {
@@ -90,6 +97,12 @@ Picture ReadBeside(const Picture& picture, const std::string& path, const std::s
         throw Error("{}: {} x {} texels; the {} must be as large as the picture, {} x {}", path, beside.widthTexels,
                     beside.heightTexels, what, picture.widthTexels, picture.heightTexels);
     return beside;
+}
+
+void WriteResult(const Picture& picture, const std::string& path, FileFormat format, SampleType sampleType) {
+    const std::string lost = LostColorSpace(picture.colorSpace, format);
+    if (!lost.empty()) fmt::print(stderr, "boxcar: {}: {}\n", OutputName(path), lost);
+    WritePicture(picture, path, format, sampleType);
 }
 
 Transfer TransferFor(const Picture& picture, const ReadOptions& options) {

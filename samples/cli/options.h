@@ -51,13 +51,19 @@ struct ReadOptions {
 };
 void AddReadOptions(CLI::App& command, ReadOptions& options);
 
-// Reads a picture that fits the device, refuses or replaces what is not finite.
+// Prints what of the file of `picture` is not in it, a line each.
+void ReportNotes(const std::string& path, const Picture& picture);
+
+// Reads a picture that fits the device, reports its notes, refuses or replaces what is not finite.
 Picture ReadForDevice(const std::string& path, const Device& device, const ReadOptions& options);
 
 // The same for a picture that goes with another, texel for texel. `what`: how the line calls it that says the sizes
 // differ.
 Picture ReadBeside(const Picture& picture, const std::string& path, const std::string& what, const Device& device,
                    const ReadOptions& options);
+
+// WritePicture, with a line on what of the color space the format cannot hold.
+void WriteResult(const Picture& picture, const std::string& path, FileFormat format, SampleType sampleType);
 
 // srgb for integer files and raw for float files, unless said otherwise.
 Transfer TransferFor(const Picture& picture, const ReadOptions& options);
