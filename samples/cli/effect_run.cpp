@@ -1,11 +1,14 @@
 #include "samples/cli/effect_run.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "samples/cli/device_run.h"
 #include "samples/cli/light.h"
+#include "samples/files/bytes.h"
 #include "samples/scenes/volumes.h"
 
 namespace boxcar {
@@ -17,6 +20,9 @@ Environment ReadEnvironment(const std::string& name) {
     if (name == "city" || name == "studio" || name == "venice") return SampleEnvironment(name);
     const Picture picture = ReadPicture(name);
     ReportNotes(name, picture);
+    if (!HasSrgbColors(picture.colorSpace))
+        fmt::print(stderr, "boxcar: {}: its {} not used: its colors are taken for sRGB's\n", InputName(name),
+                   picture.colorSpace.primaries ? "primaries are" : "ICC profile is");
     return EnvironmentFrom(picture, name);
 }
 

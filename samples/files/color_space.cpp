@@ -3,6 +3,8 @@
 #include <string_view>
 
 #include "samples/files/codecs.h"
+#include "samples/files/color.h"
+#include "samples/files/icc_profile.h"
 
 namespace boxcar {
 namespace {
@@ -45,18 +47,29 @@ void SetIccProfile(Picture& picture, ByteView profile) {
         return;
     }
     const std::string_view space = text.substr(16, 4);
-    if (space == (picture.channels > 2 ? "RGB " : "GRAY"))
-        picture.colorSpace.iccProfile.assign(profile.begin(), profile.end());
-    else
+    if (space != (picture.channels > 2 ? "RGB " : "GRAY")) {
         picture.notes.push_back(fmt::format("its ICC profile is for {} and is left out; the picture is {} here",
                                             space.substr(0, space.find_last_not_of(' ') + 1),
                                             picture.channels > 2 ? "RGB" : "gray"));
+        return;
+    }
+    picture.colorSpace.iccProfile.assign(profile.begin(), profile.end());
+    const std::optional<double> half = LightOfHalf(profile);
+    if (half && !IsLightOfSrgbHalf(*half))
+        picture.notes.push_back(fmt::format(
+            "its ICC profile is kept, but not its curve used: 0.5 is light of {:.2f} by it and of {:.2f} by sRGB's",
+            *half, SrgbToLinear(0.5)));
+}
+
+bool HasSrgbColors(const ColorSpace& space) {
+    return !space.primaries && (space.iccProfile.empty() || IsSrgbProfile(space.iccProfile));
 }
 
 std::string LostColorSpace(const ColorSpace& space, FileFormat format) {
     std::string lost;
     const auto add = [&](std::string_view name) { lost += fmt::format("{}{}", lost.empty() ? "" : ", ", name); };
-    if (!space.iccProfile.empty() && format != FileFormat::Png && format != FileFormat::Jpeg) add("ICC profile");
+    const bool holdsProfile = format == FileFormat::Png || format == FileFormat::Jpeg;
+    if (!holdsProfile && !space.iccProfile.empty() && !IsSrgbProfile(space.iccProfile)) add("ICC profile");
     if (space.gamma != 0.0 && format != FileFormat::Png) add(fmt::format("gamma of {:g}", space.gamma));
     if (space.primaries && !HoldsPrimaries(format, *space.primaries)) add("primaries");
     if (lost.empty()) return {};

@@ -106,9 +106,13 @@ Extent ExtentOf(const Imath::Box2i& window) {
 
 // The library takes memory for the table of a part's blocks before it reads the table, which is in the file.
 uint64_t LeastTableBytes(const Imf::Header& header) {
-    constexpr uint64_t kEntryBytes = 8, kMostLines = 256;
+    constexpr uint64_t kEntryBytes = 8;
+    constexpr uint64_t kLines[] = {1, 1, 1, 16, 32, 16, 32, 32, 32, 256};  // in the order of Imf::Compression
     const Extent extent = ExtentOf(header.dataWindow());
-    if (!header.hasTileDescription()) return extent.heightTexels / kMostLines * kEntryBytes;
+    if (!header.hasTileDescription()) {
+        const auto compression = static_cast<size_t>(header.compression());
+        return extent.heightTexels / (compression < std::size(kLines) ? kLines[compression] : 256) * kEntryBytes;
+    }
     const Imf::TileDescription& tile = header.tileDescription();
     return extent.widthTexels / std::max(tile.xSize, 1u) * (extent.heightTexels / std::max(tile.ySize, 1u)) *
            kEntryBytes;

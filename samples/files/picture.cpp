@@ -158,8 +158,9 @@ Picture ReadPicture(const std::string& path, const PictureLimits& limits, std::o
 }
 
 Picture DecodePicture(std::span<const uint8_t> file, const std::string& name, const PictureLimits& limits) {
-    constexpr size_t kMostNoteChars = 200;
+    constexpr size_t kMostNotes = 8, kMostNoteChars = 200;
     Picture picture = WithName(name, [&] { return Decode(file, FormatFromContent(file), limits); });
+    picture.notes.resize(std::min(picture.notes.size(), kMostNotes));
     for (std::string& note : picture.notes)
         note = Printable(note.substr(0, kMostNoteChars));
     return picture;

@@ -66,18 +66,25 @@ FileFormat FormatFromWord(const std::string& word);
 //   format  if given, the content must be that
 //
 // PNG: all kinds but Apple's CgBI; palettes and 1, 2, 4 bits become 8 bits, tRNS becomes alpha; turned upright as
-// eXIf says; color space: iCCP, else sRGB, else gAMA and cHRM (cICP is noted, not used). JPEG: 8 bits, sequential and
-// progressive, Huffman and arithmetic coding; gray, YCbCr, RGB, CMYK and YCCK, of which the latter two become RGB as
-// (1 - ink) (1 - black), inverted where Adobe's marker is; turned upright as EXIF says. HDR: RGBE, flat and in both
-// run-length codings, any orientation; EXPOSURE, COLORCORR and GAMMA are noted, not used. EXR: flat, scan lines or
-// tiles (the finest level), every compression; of several parts the first that has the channels, with a note;
-// channels R G B [A], Y [A], Y RY BY [A] or a single one of any name; others are left out. The picture is the display
-// window: 0 where the file has no data, and data outside it are left out, with a note. PFM: 1 or 3 channels, both
-// byte orders, the scale's size unused. Its header ends with one space character, or with spaces up to a line end (CR
-// LF too): where that leaves a doubt, the file's length decides. Bytes after the picture are no fault.
+// eXIf says. Color space: iCCP, else sRGB, else gAMA and cHRM; cICP, and a profile's curve unlike sRGB's, are notes.
+//
+// JPEG: 8 bits, sequential and progressive, Huffman and arithmetic coding; turned upright as EXIF says. Gray, YCbCr,
+// RGB, CMYK and YCCK; the latter two become RGB as (1 - ink) (1 - black), inverted where Adobe's marker is.
+//
+// HDR: RGBE, flat and in both run-length codings, any orientation; EXPOSURE, COLORCORR and GAMMA are notes.
+//
+// EXR: flat, scan lines or tiles (the finest level), every compression; channels R G B [A], Y [A], Y RY BY [A] or a
+// single one of any name, others are left out; of several parts the first that has them, with a note. The picture is
+// the display window: 0 where the file has no data; data outside it are left out, with a note.
+//
+// PFM: 1 or 3 channels, both byte orders, the scale's size unused. Its header ends with one space character, or with
+// spaces up to a line end (CR LF too): where that leaves a doubt, the file's length decides.
+//
+// Bytes after the picture are no fault.
 //
 // Throws Error, one line that begins with the path: it cannot be read, is empty, cut off, damaged, of no known
-// format, or over a limit. What is returned is a whole picture.
+// format, or over a limit. What is returned is a whole picture, but for one case that cannot be told: arithmetic
+// coding of JPEG leaves out zeros at the end of its data, so data that break off before an end marker pass for that.
 Picture ReadPicture(const std::string& path, const PictureLimits& limits = {}, std::optional<FileFormat> format = {});
 
 // The same from memory; `name` stands for the path in errors.
@@ -91,7 +98,11 @@ SampleType SampleTypeFor(FileFormat format, SampleType stored);
 // work: HDR is not written; JPEG and PFM hold no alpha. The line begins with the path.
 void RequireWritable(const std::string& path, FileFormat format, uint32_t channels);
 
-// What of `space` a file of `format` cannot hold, as a line to follow "PATH: "; empty where it holds all.
+// Whether colors are those of sRGB, but for the gamma.
+bool HasSrgbColors(const ColorSpace& space);
+
+// What of `space`, beyond sRGB, a file of `format` cannot hold, as a line to follow "PATH: "; empty where it holds
+// all.
 std::string LostColorSpace(const ColorSpace& space, FileFormat format);
 
 // Writes a picture: PNG of 8 or 16 bits, JPEG (quality 95, colour not subsampled), EXR (32-bit float, ZIP, R G B [A]

@@ -228,6 +228,10 @@ TEST(BadInputTest, JpegKindsAreRefusedByName) {
     };
     EXPECT_EQ(errorWith(4, 12), "a JPEG of 12 bits a sample; 8 are expected");
     EXPECT_EQ(errorWith(9, 2), "a JPEG of 2 components; 1, 3 or 4 are expected");
+    Bytes inks = SmallFile("ycck_jpg");
+    inks[FindMarker(inks, 0xee) + 15] = 9;
+    EXPECT_EQ(ErrorFor(inks),
+              "damaged JPEG, or a kind of JPEG that is not read (Unknown Adobe color transform code 9)");
     EXPECT_EQ(errorWith(1, 0xc3), "a lossless JPEG (frame 0xc3); a sequential or progressive one is expected");
     EXPECT_EQ(errorWith(1, 0xc5), "a hierarchical JPEG (frame 0xc5); a sequential or progressive one is expected");
     EXPECT_EQ(errorWith(1, 0xf7), "a JPEG-LS JPEG (frame 0xf7); a sequential or progressive one is expected");
@@ -287,6 +291,24 @@ TEST(BadInputTest, ExrThatAsksForMoreMemoryThanItsTexelsIsRefused) {
     at = std::search(tiles.begin(), tiles.end(), tileName.begin(), tileName.end()) + 19;
     std::copy_n("\xff\xff\0\0\xff\xff\0", 7, at);  // 65535 x 65535
     EXPECT_EQ(ErrorFor(tiles), "its tiles or groups of lines take 40959 MiB; at most 1088 MiB are allowed");
+}
+
+// Their tables of offsets would take more than the file holds.
+TEST(BadInputTest, ExrTablesThatTheFileDoesNotHoldAreRefusedBeforeTheyTakeMemory) {
+    const auto withWindow = [](Bytes file, uint32_t side) {
+        const std::string name = "dataWindow";
+        const auto window = std::search(file.begin(), file.end(), name.begin(), name.end()) + 11 + 6 + 4;
+        for (const int field : {2, 3})
+            for (int byte = 0; byte < 4; ++byte)
+                window[field * 4 + byte] = static_cast<uint8_t>((side - 1) >> (8 * byte) & 255);
+        return file;
+    };
+    Bytes tiles = withWindow(SmallFile("tiles0_exr"), 8000);
+    const std::string tileName("tiles\0tiledesc\0", 15);
+    const auto at = std::search(tiles.begin(), tiles.end(), tileName.begin(), tileName.end()) + 19;
+    std::copy_n("\1\0\0\0\1\0\0\0", 8, at);  // 64 million tiles of 1 x 1
+    EXPECT_EQ(ErrorFor(tiles), "cut off: the EXR ends before its picture does");
+    EXPECT_EQ(ErrorFor(withWindow(SmallFile("lines0_exr"), 8000)), "cut off: the EXR ends before its picture does");
 }
 
 // Everything that can be cut off is cut off, at every length.

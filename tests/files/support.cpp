@@ -4,7 +4,11 @@
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfIO.h>
+#include <OpenEXR/ImfMultiPartOutputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfOutputPart.h>
+#include <OpenEXR/ImfPartType.h>
+#include <OpenEXR/ImfRgbaFile.h>
 #include <OpenEXR/ImfTiledOutputFile.h>
 #include <png.h>
 #include <unistd.h>
@@ -334,6 +338,51 @@ Bytes MakeExr(const ExrFile& exr) {
     return stream.bytes;
 }
 
+Bytes MakePartsExr(const std::vector<std::pair<std::string, std::string>>& namesAndChannels) {
+    constexpr int kSide = 2;
+    std::vector<Imf::Header> headers;
+    for (const auto& [name, channels] : namesAndChannels) {
+        Imf::Header& header = headers.emplace_back(kSide, kSide);
+        header.setName(name);
+        header.setType(Imf::SCANLINEIMAGE);
+        for (const char channel : channels)
+            header.channels().insert(std::string(1, channel), Imf::Channel(Imf::FLOAT));
+    }
+    BytesStream stream;
+    {
+        Imf::MultiPartOutputFile file(stream, headers.data(), static_cast<int>(headers.size()));
+        for (size_t i = 0; i < headers.size(); ++i) {
+            std::vector<float> samples(kSide * kSide, static_cast<float>(i + 1));
+            Imf::FrameBuffer frame;
+            for (auto c = headers[i].channels().begin(); c != headers[i].channels().end(); ++c)
+                frame.insert(c.name(), Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(samples.data()), sizeof(float),
+                                                  kSide * sizeof(float)));
+            Imf::OutputPart part(file, static_cast<int>(i));
+            part.setFrameBuffer(frame);
+            part.writePixels(kSide);
+        }
+    }  // the tables of offsets are written when the file is closed
+    return stream.bytes;
+}
+
+Bytes MakeChromaExr(Size size, uint32_t channels,
+                    const std::function<std::array<float, 4>(uint32_t x, uint32_t y)>& colorAt) {
+    std::vector<Imf::Rgba> texels;
+    for (uint32_t y = 0; y < size.height; ++y)
+        for (uint32_t x = 0; x < size.width; ++x) {
+            const std::array<float, 4> color = colorAt(x, y);
+            texels.emplace_back(half(color[0]), half(color[1]), half(color[2]), half(color[3]));
+        }
+    BytesStream stream;
+    {
+        const Imf::Header header(static_cast<int>(size.width), static_cast<int>(size.height));
+        Imf::RgbaOutputFile file(stream, header, channels == 4 ? Imf::WRITE_YCA : Imf::WRITE_YC);
+        file.setFrameBuffer(texels.data(), 1, size.width);
+        file.writePixels(static_cast<int>(size.height));
+    }
+    return stream.bytes;
+}
+
 Bytes MakeHdr(Size size, const std::vector<std::array<uint8_t, 4>>& texels, bool packed) {
     Bytes file = ToBytes(fmt::format("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {} +X {}\n", size.height, size.width));
     for (uint32_t y = 0; y < size.height; ++y) {
@@ -416,6 +465,13 @@ std::vector<NamedFile> SmallFiles() {
     files.push_back({"old_hdr", ToBytes("#?RADIANCE\nEXPOSURE=2\n\n+X 3 -Y 5\n" + std::string("abcd\1\1\1\4", 8) +
                                         std::string("efgh\1\1\1\4", 8) + "ijklmnopqrstuvwxyzAB")});
 
+    files.push_back({"parts_exr", MakePartsExr({{"depth", "Z"}, {"left", "RGB"}})});
+    files.push_back({"chroma_exr", MakeChromaExr({8, 6}, 4, [](uint32_t x, uint32_t y) {
+                         return std::array{0.1f * static_cast<float>(x), 0.1f * static_cast<float>(y), 0.5f, 1.0f};
+                     })});
+    ExrFile framed{kSize, {{"Y", Imf::FLOAT, SmoothPicture(kSize, 1).samples}}, Imf::PIZ_COMPRESSION, 3, -5};
+    framed.display = {0, 0, 20, 9};
+    files.push_back({"framed_exr", MakeExr(framed)});
     for (int compression = 0; compression < Imf::NUM_COMPRESSION_METHODS; ++compression) {
         for (const bool tiled : {false, true}) {
             ExrFile exr{kSize, {}, compression, 3, -5, tiled};

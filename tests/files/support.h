@@ -7,8 +7,10 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "samples/files/bytes.h"
@@ -135,6 +137,13 @@ struct ExrFile {
     std::array<int, 4> display = {0, 0, -1, -1};  // the window's first and last texel, x y x y; as the data if empty
 };
 Bytes MakeExr(const ExrFile& exr);
+
+// A file of parts by name, with a channel for each letter; the samples of part i are i + 1.
+Bytes MakePartsExr(const std::vector<std::pair<std::string, std::string>>& namesAndChannels);
+
+// Luminance and chroma, subsampled by the library; channels: 3, or 4 with alpha.
+Bytes MakeChromaExr(Size size, uint32_t channels,
+                    const std::function<std::array<float, 4>(uint32_t x, uint32_t y)>& colorAt);
 
 // A file of RGBE texels, run-length packed as Radiance does where `packed`.
 Bytes MakeHdr(Size size, const std::vector<std::array<uint8_t, 4>>& texels, bool packed);
