@@ -24,11 +24,11 @@ bool IsLight(const Picture& picture, Transfer transfer) {
 }
 
 // Linear light of every code.
-std::vector<double> LightOfCodes(SampleType stored) {
-    const double largest = LargestCode(stored);
+std::vector<double> LightOfCodes(const Picture& picture) {
+    const double largest = LargestCode(picture.stored);
     std::vector<double> light(static_cast<size_t>(largest) + 1);
     for (size_t i = 0; i < light.size(); i++)
-        light[i] = SrgbToLinear(static_cast<double>(i) / largest);
+        light[i] = ToLinear(picture.colorSpace, static_cast<double>(i) / largest);
     return light;
 }
 
@@ -54,7 +54,7 @@ Values ValuesOf(const Picture& picture, Transfer transfer) {
     if (picture.stored != SampleType::Float32) {
         // The smallest light that the file can hold.
         const double code = 1 / LargestCode(picture.stored);
-        const double light = IsLight(picture, transfer) ? SrgbToLinear(code) : code;
+        const double light = IsLight(picture, transfer) ? ToLinear(picture.colorSpace, code) : code;
         return {1, HasAlpha(picture) && IsLight(picture, transfer) ? light * code : light, false};
     }
     Values values;
@@ -169,7 +169,7 @@ void AddPlan(Stats& stats, const CodePlan& plan, uint64_t tableBytes) {
 
 CodedPicture::CodedPicture(const Picture& picture, Transfer transfer, CodePlan plan)
     : m_picture(picture), m_plan(std::move(plan)) {
-    if (IsLight(picture, transfer)) m_light = LightOfCodes(picture.stored);
+    if (IsLight(picture, transfer)) m_light = LightOfCodes(picture);
 }
 
 CodeWords CodedPicture::Rows(size_t round, uint32_t firstRow, uint32_t rows) const {

@@ -57,7 +57,7 @@ Stats Focus(Device& device, const Job& job, const DofOptions& options) {
     const std::vector<glm::vec4> focused =
         focus(device, picture, job.input, transfer, request, InAlpha(depth.disparity), sampleType, stats);
     RequireFiniteSums(focused, job.input);
-    WritePicture(FromLight(focused, picture, transfer, sampleType), job.output, job.format, sampleType);
+    WriteResult(FromLight(focused, picture, transfer, sampleType), job.output, job.format, sampleType);
     return stats;
 }
 

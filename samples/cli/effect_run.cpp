@@ -1,9 +1,12 @@
 #include "samples/cli/effect_run.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "samples/cli/console.h"
 #include "samples/cli/device_run.h"
 #include "samples/cli/light.h"
 #include "samples/files/bytes.h"
@@ -19,6 +22,10 @@ constexpr double kLargestTime = 1e6;  // scenes move by floats
 Environment ReadEnvironment(const std::string& name, bool zeroesNotFinite) {
     if (name == "city" || name == "studio" || name == "venice") return SampleEnvironment(name);
     Picture picture = ReadPicture(name);
+    ReportNotes(name, picture);
+    if (!HasSrgbColors(picture.colorSpace))
+        PrintProblem(fmt::format("{}: its {} not used: its colors are taken for sRGB's", InputName(name),
+                                 picture.colorSpace.primaries ? "primaries are" : "ICC profile is"));
     if (zeroesNotFinite) ZeroNotFinite(picture);
     return EnvironmentFrom(std::move(picture), name);
 }
@@ -193,7 +200,7 @@ EffectRun::EffectRun(Device& device, const EffectOptions& options, const std::ve
 
 void EffectRun::PrintNotes() const {
     for (const std::string& note : m_notes)
-        fmt::print(stderr, "boxcar: {}\n", note);
+        PrintProblem(note);
 }
 
 std::vector<glm::vec4> EffectRun::Samples(double timeSeconds, std::vector<PassTime>* passes) {

@@ -126,7 +126,7 @@ Stats Filter(Device& device, const Job& job, const FilterOptions& options) {
     Stats stats{.input = job.input, .output = job.output, .extent = {picture.widthTexels, picture.heightTexels}};
     const std::vector<glm::vec4> texels =
         FilterPicture(device, picture, job.input, transfer, request, map, sampleType, stats);
-    WritePicture(FromLight(texels, picture, transfer, sampleType), job.output, job.format, sampleType);
+    WriteResult(FromLight(texels, picture, transfer, sampleType), job.output, job.format, sampleType);
     return stats;
 }
 
@@ -148,6 +148,13 @@ void AddFilterCommand(CLI::App& app) {
         "texel a little. They are summed in integers, float files as multiples of 2^-24. Float outputs hold the "
         "filtered values (under\n"
         "srgb: linear, colours times alpha); 8 and 16-bit outputs are encoded under srgb.\n\n"
+        "Of what files say beside their samples: applied are the rotation (EXIF, in JPEG and PNG), PNG's gAMA "
+        "(under\n"
+        "srgb), EXR's display window and HDR's orientation; kept as they are, where the output holds them, ICC "
+        "profiles\n"
+        "(PNG, JPEG) and primaries (PNG, EXR); a line says so where they are lost, and where an HDR's EXPOSURE, a "
+        "PNG's\n"
+        "cICP, other parts of an EXR or texels outside its display window are not used.\n\n"
         "Examples:\n"
         "  boxcar filter photo.jpg -o blurred.png --width 9\n"
         "  boxcar filter photo.jpg -o soft.png --shape gauss --width 6.5 --edge mirror\n"

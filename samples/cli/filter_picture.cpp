@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 
 #include "samples/cli/bands.h"
+#include "samples/cli/console.h"
 #include "samples/cli/light.h"
 
 namespace boxcar {
@@ -110,11 +111,11 @@ void ReportMarked(const std::vector<glm::vec4>& texels, const BlurDesc& desc, co
     const auto marked = std::ranges::count_if(texels, [](const glm::vec4& texel) { return !IsFinite(texel); });
     if (marked == 0) return;
     const uint32_t side = SATLargestWidthTexels(desc.precision, codes, desc.order, false);
-    fmt::print(stderr, "boxcar: {} of {} texels ask for wider sums than {} holds ({} x {}) and are marked, as {}\n",
-               marked, texels.size(), SATPrecisionName(desc.precision), side, side,
-               result == SampleType::Float32 ? "NaN"
-               : picture.channels > 2        ? "magenta"
-                                             : "white");
+    PrintProblem(fmt::format("{} of {} texels ask for wider sums than {} holds ({} x {}) and are marked, as {}",
+                             marked, texels.size(), SATPrecisionName(desc.precision), side, side,
+                             result == SampleType::Float32 ? "NaN"
+                             : picture.channels > 2        ? "magenta"
+                                                           : "white"));
 }
 
 // One line where floats may be off by more than half a code of the file; of a float file, by more than 1e-5 of the
@@ -123,21 +124,21 @@ void ReportFloatBound(const std::vector<glm::vec4>& texels, const BlurDesc& desc
                       Transfer transfer, SampleType result, const std::string& name) {
     const double bound = FloatTableBound(texels, desc.extent, glm::min(request.minTexels, request.maxTexels),
                                          desc.edge, desc.bias == BlurBias::Mean);
-    constexpr const char* kAdvice = "without --precision nothing is lost";
+    const auto report = [&](double most, const char* unit) {
+        PrintProblem(fmt::format(
+            "{}: fp32 sums round: a texel may be off by up to {:.2g}{}; leave out --precision for exact sums", name,
+            most, unit));
+    };
     if (result == SampleType::Float32) {
         double mean = 0;
         for (const glm::vec4& texel : texels)
             mean += std::abs(texel.x) / static_cast<double>(texels.size());
-        if (bound > 1e-5 * mean)
-            fmt::print(stderr, "boxcar: {}: sums of fp32 round: texels may be off by up to {:.2g}; {}\n", name, bound,
-                       kAdvice);
+        if (bound > 1e-5 * mean) report(bound, "");
         return;
     }
     const double codes =
         bound * (result == SampleType::Unorm8 ? 255 : 65535) * (transfer == Transfer::Srgb ? 12.92 : 1);
-    if (codes > 0.5)
-        fmt::print(stderr, "boxcar: {}: sums of fp32 round: texels may be off by up to {:.2g} codes; {}\n", name,
-                   codes, kAdvice);
+    if (codes > 0.5) report(codes, " codes");
 }
 
 }  // namespace

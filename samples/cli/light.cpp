@@ -23,7 +23,8 @@ std::vector<glm::vec4> ToLight(Picture picture, Transfer transfer) {
 
 Picture FromLight(const std::vector<glm::vec4>& texels, const Picture& like, Transfer transfer,
                   SampleType sampleType) {
-    Picture picture{like.widthTexels, like.heightTexels, like.channels, sampleType, {}};
+    Picture picture{like.widthTexels, like.heightTexels, like.channels, sampleType, {}, like.colorSpace};
+    if (transfer == Transfer::Srgb) picture.colorSpace.gamma = 0;
     picture.samples.reserve(texels.size() * like.channels);
     const int channels = static_cast<int>(picture.channels);
     // Integer files mark what is not a number: magenta, or white where there is no colour; opaque.

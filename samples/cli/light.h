@@ -15,7 +15,7 @@ std::vector<glm::vec4> ToLight(Picture picture, Transfer transfer);
 
 // The picture that `texels` are to be in a file with samples of `sampleType`. Under Srgb, integers hold sRGB codes
 // and colours not multiplied by alpha; floats hold the texels as they are. In integers a texel that is not finite
-// becomes magenta, in grey pictures white.
+// becomes magenta, in grey pictures white. The color space is that of `like`, under Srgb without its gamma.
 Picture FromLight(const std::vector<glm::vec4>& texels, const Picture& like, Transfer transfer,
                   SampleType sampleType);
 

@@ -5,6 +5,8 @@
 #include <charconv>
 #include <filesystem>
 
+#include "samples/cli/console.h"
+#include "samples/files/bytes.h"
 #include "samples/files/color.h"
 
 namespace boxcar {
@@ -43,7 +45,7 @@ CheckedDevice::CheckedDevice(const DeviceOptions& options)
                         .validation = options.validation,
                         .onValidationMessage = [this](const std::string& message) {
                             messages++;
-                            fmt::print(stderr, "boxcar: {}\n", message);
+                            PrintProblem(message);
                         }}) {}
 
 void CheckedDevice::RequireClean() const {
@@ -84,9 +86,15 @@ void AddTapsOption(CLI::App& command, TapsOption& taps) {
         ->type_name("T");
 }
 
+void ReportNotes(const std::string& path, const Picture& picture) {
+    for (const std::string& note : picture.notes)
+        PrintProblem(fmt::format("{}: {}", InputName(path), note));
+}
+
 Picture ReadForDevice(const std::string& path, const Device& device, const ReadOptions& options) {
     const DeviceLimits& limits = device.Limits();
     Picture picture = ReadPicture(path, {limits.maxSideTexels, limits.maxImageBytes});
+    ReportNotes(path, picture);
     if (options.nanWord == "zero") {
         ZeroNotFinite(picture);
     } else if (const auto at = FirstNotFinite(picture)) {
@@ -108,6 +116,12 @@ Picture ReadBeside(const Picture& picture, const std::string& path, const std::s
     Picture beside = ReadForDevice(path, device, options);
     RequireSameSize(picture, beside, path, what);
     return beside;
+}
+
+void WriteResult(const Picture& picture, const std::string& path, FileFormat format, SampleType sampleType) {
+    const std::string lost = LostColorSpace(picture.colorSpace, format);
+    if (!lost.empty()) PrintProblem(fmt::format("{}: {}", OutputName(path), lost));
+    WritePicture(picture, path, format, sampleType);
 }
 
 Transfer TransferOf(const ReadOptions& options) {

@@ -51,7 +51,10 @@ struct ReadOptions {
 };
 void AddReadOptions(CLI::App& command, ReadOptions& options);
 
-// Reads a picture that fits the device, refuses or replaces what is not finite.
+// Prints what of the file of `picture` is not in it, a line each.
+void ReportNotes(const std::string& path, const Picture& picture);
+
+// Reads a picture that fits the device, reports its notes, refuses or replaces what is not finite.
 Picture ReadForDevice(const std::string& path, const Device& device, const ReadOptions& options);
 
 // Throws Error where a picture that goes with another, texel for texel, has another size. `what`: how the line calls
@@ -61,6 +64,9 @@ void RequireSameSize(const Picture& picture, const Picture& beside, const std::s
 // ReadForDevice for a picture that goes with another, texel for texel; `what` as above.
 Picture ReadBeside(const Picture& picture, const std::string& path, const std::string& what, const Device& device,
                    const ReadOptions& options);
+
+// WritePicture, with a line on what of the color space the format cannot hold.
+void WriteResult(const Picture& picture, const std::string& path, FileFormat format, SampleType sampleType);
 
 Transfer TransferOf(const ReadOptions& options);
 

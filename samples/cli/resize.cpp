@@ -62,8 +62,9 @@ Stats ResizePicture(Device& device, const Job& job, const ResizeOptions& options
     const std::vector<glm::vec4> texels = Download<glm::vec4>(device, result);
     RequireFiniteSums(texels, job.input);
     const SampleType sampleType = SampleTypeFor(job.format, picture.stored);
-    const Picture like{desc.result.widthTexels, desc.result.heightTexels, picture.channels, picture.stored, {}};
-    WritePicture(FromLight(texels, like, transfer, sampleType), job.output, job.format, sampleType);
+    const Picture like{desc.result.widthTexels, desc.result.heightTexels, picture.channels, picture.stored, {},
+                       picture.colorSpace};
+    WriteResult(FromLight(texels, like, transfer, sampleType), job.output, job.format, sampleType);
     return {.input = job.input,
             .output = job.output,
             .extent = desc.result,

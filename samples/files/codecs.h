@@ -2,7 +2,9 @@
 // Error's text continues "PATH: ".
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "samples/files/bytes.h"
@@ -22,6 +24,9 @@ Bytes EncodeJpeg(const Picture& picture);
 Bytes EncodeExr(const Picture& picture);
 Bytes EncodePfm(const Picture& picture);
 
+// What every decoder says of a file that its library cannot make sense of.
+Error Unreadable(FileFormat format, std::string_view reason);
+
 // Throws Error unless the sides a header gives are 1 at least and within the limits.
 void RequireWithin(uint64_t widthTexels, uint64_t heightTexels, const PictureLimits& limits);
 
@@ -31,8 +36,16 @@ uint64_t MaxFileBytes(const PictureLimits& limits);
 // What every decoder throws at a file that ends too early.
 Error CutOff(FileFormat format);
 
+// What the codes of 8 bits are as samples.
+const std::array<float, 256>& SamplesOf8Bits();
+
 // A picture whose samples are 0.
 Picture MakePicture(uint64_t widthTexels, uint64_t heightTexels, uint32_t channels, SampleType stored);
+
+// Give `picture`, whose channels are known, what its file says of its colors; primaries that are sRGB's, or none at
+// all, are not kept, and a profile that is not for such a picture becomes a note.
+void SetPrimaries(Picture& picture, const Primaries& primaries);
+void SetIccProfile(Picture& picture, ByteView profile);
 
 // The samples as integers: clamped to [0,1], times the largest Code, rounded to nearest; NaN becomes 0.
 template <typename Code>

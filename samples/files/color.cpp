@@ -36,8 +36,12 @@ double LinearToSrgb(double linear) {
     return linear <= 0.0031308 ? linear * 12.92 : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
 }
 
+double ToLinear(const ColorSpace& space, double encoded) {
+    return space.gamma == 0.0 ? SrgbToLinear(encoded) : std::pow(std::max(encoded, 0.0), 1.0 / space.gamma);
+}
+
 void DecodeSrgb(Picture& picture) {
-    ApplyToColors(picture, SrgbToLinear);
+    ApplyToColors(picture, [&](double encoded) { return ToLinear(picture.colorSpace, encoded); });
 }
 void EncodeSrgb(Picture& picture) {
     ApplyToColors(picture, LinearToSrgb);

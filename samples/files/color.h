@@ -14,7 +14,10 @@ namespace boxcar {
 double SrgbToLinear(double encoded);
 double LinearToSrgb(double linear);
 
-// The curves over every colour sample: in double, rounded once to float.
+// The linear light of a code in [0,1]: by the gamma of `space`, or the sRGB curve where it has none.
+double ToLinear(const ColorSpace& space, double encoded);
+
+// ToLinear and the sRGB curve over every colour sample: in double, rounded once to float.
 void DecodeSrgb(Picture& picture);
 void EncodeSrgb(Picture& picture);
 

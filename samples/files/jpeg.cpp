@@ -1,48 +1,70 @@
-#include <libexif/exif-data.h>
-
 #include <algorithm>
 #include <csetjmp>
 #include <cstdlib>
-#include <limits>
-#include <memory>
-#include <numeric>
+#include <cstring>
+#include <set>
 #include <utility>
 
 // jpeglib.h needs what is before it.
 // clang-format off
 #include <cstdio>
 #include <jpeglib.h>
+#include <jerror.h>
 // clang-format on
 
 #include "samples/files/codecs.h"
-#include "samples/files/stb.h"
+#include "samples/files/orientation.h"
 
 namespace boxcar {
 namespace {
 
 constexpr uint8_t kTemporary = 0x01;
 constexpr uint8_t kFirstFrame = 0xc0;
-constexpr uint8_t kLastFrame = 0xc2;
-constexpr uint8_t kHuffmanTables = 0xc4;
+constexpr uint8_t kProgressiveFrame = 0xc2;
+constexpr uint8_t kArithmeticFrame = 0xc9;
+constexpr uint8_t kArithmeticProgressiveFrame = 0xca;
+constexpr uint8_t kLastFrame = 0xcf;
 constexpr uint8_t kFirstRestart = 0xd0;
 constexpr uint8_t kStartOfImage = 0xd8;
 constexpr uint8_t kEndOfImage = 0xd9;
 constexpr uint8_t kStartOfScan = 0xda;
+constexpr uint8_t kLosslessLsFrame = 0xf7;
 
-struct Size {
-    uint64_t widthTexels = 0;
-    uint64_t heightTexels = 0;
-};
+// Huffman tables, an extension and arithmetic conditioning stand among the markers of frames.
+bool IsFrame(uint8_t marker) {
+    return (marker >= kFirstFrame && marker <= kLastFrame && marker != 0xc4 && marker != 0xc8 && marker != 0xcc) ||
+           marker == kLosslessLsFrame;
+}
 
-// Walks the segments as stb will, to refuse what stb 2.27 does not: Huffman tables of more than 256 codes, which it
-// writes out of bounds; scans without number, each of which may take it as long as the whole picture; and fewer bits
-// than blocks, which it fills up with grey. (Of a scan that breaks off later but is closed properly, nothing tells.)
-// Returns what the frame header says.
+// precision (1 byte), height (2), width (2), components (1), ..
+void RequireFrame(uint8_t marker, ByteView segment, uint64_t fileBytes, const PictureLimits& limits) {
+    const bool isArithmetic = marker == kArithmeticFrame || marker == kArithmeticProgressiveFrame;
+    if (marker > kProgressiveFrame && !isArithmetic)
+        throw Error("a {} JPEG (frame 0x{:02x}); a sequential or progressive one is expected",
+                    marker == kLosslessLsFrame                                             ? "JPEG-LS"
+                    : marker == 0xc3 || marker == 0xc7 || marker == 0xcb || marker == 0xcf ? "lossless"
+                                                                                           : "hierarchical",
+                    marker);
+    if (segment.size() < 6) throw CutOff(FileFormat::Jpeg);
+    const auto height = static_cast<uint64_t>(segment[1] << 8 | segment[2]);
+    const auto width = static_cast<uint64_t>(segment[3] << 8 | segment[4]);
+    RequireWithin(width, height, limits);
+    if (segment[0] != 8) throw Error("a JPEG of {} bits a sample; 8 are expected", segment[0]);
+    if (segment[5] != 1 && segment[5] != 3 && segment[5] != 4)
+        throw Error("a JPEG of {} components; 1, 3 or 4 are expected", segment[5]);
+    // Huffman codes take a bit a block at least, arithmetic ones less.
+    if (!isArithmetic && width * height / 64 > fileBytes * 8) throw CutOff(FileFormat::Jpeg);
+}
+
+// Walks the segments as the library will, to refuse what it does not: scans without number, each of which may take as
+// long as the whole picture, and frames of which some components have no scan. Checks the frame before memory for it
+// is taken.
 //
 // ITU-T T.81, annex B
-Size ReadSize(ByteView file, const PictureLimits& limits) {
+void RequireSegments(ByteView file, const PictureLimits& limits) {
     constexpr int kMaxScans = 500;
-    Size size;
+    size_t components = 0;
+    std::set<uint8_t> scanned;
     int scans = 0;
     size_t at = 0;
     const auto next = [&] {
@@ -50,12 +72,13 @@ Size ReadSize(ByteView file, const PictureLimits& limits) {
         return file[at++];
     };
     for (;;) {
-        while (next() != 0xff) {
-        }
+        at = static_cast<size_t>(std::find(file.begin() + static_cast<ptrdiff_t>(at), file.end(), 0xff) -
+                                 file.begin());
+        next();
         uint8_t marker = next();
         while (marker == 0xff)
             marker = next();
-        if (marker == kEndOfImage) return size;
+        if (marker == kEndOfImage) break;
         if (marker <= kTemporary || (marker >= kFirstRestart && marker <= kStartOfImage))
             continue;  // without a segment
 
@@ -64,70 +87,146 @@ Size ReadSize(ByteView file, const PictureLimits& limits) {
         if (length < 2 || length - 2 > file.size() - at) throw CutOff(FileFormat::Jpeg);
         const ByteView segment = file.subspan(at, length - 2);
         at += segment.size();
-        if (marker == kStartOfScan && ++scans > kMaxScans) throw Error("damaged JPEG: more than {} scans", kMaxScans);
-        if (marker >= kFirstFrame && marker <= kLastFrame && segment.size() >= 5) {
-            size.heightTexels = static_cast<uint64_t>(segment[1] << 8 | segment[2]);
-            size.widthTexels = static_cast<uint64_t>(segment[3] << 8 | segment[4]);
-            RequireWithin(size.widthTexels, size.heightTexels, limits);
-            if (size.widthTexels * size.heightTexels / 64 > file.size() * 8) throw CutOff(FileFormat::Jpeg);
+        if (IsFrame(marker)) {
+            RequireFrame(marker, segment, file.size(), limits);
+            components = segment[5];
         }
-        if (marker != kHuffmanTables) continue;
-        for (ByteView tables = segment; !tables.empty();) {
-            const size_t codes = tables.size() < 17 ? 0 : std::accumulate(&tables[1], tables.data() + 17, size_t{0});
-            if (codes > 256 || tables.size() < 17 + codes)
-                throw Error("damaged JPEG: a Huffman table is out of bounds");
-            tables = tables.subspan(17 + codes);
+        if (marker == kStartOfScan) {
+            if (++scans > kMaxScans) throw Error("damaged JPEG: more than {} scans", kMaxScans);
+            for (size_t i = 1; !segment.empty() && i <= segment[0] && 2 * i < segment.size(); ++i)
+                scanned.insert(segment[2 * i - 1]);
         }
     }
+    if (scanned.size() < components) throw CutOff(FileFormat::Jpeg);
 }
 
-// 1 to 8 as EXIF counts them; 1, upright, where the file does not say.
-int Orientation(ByteView file) {
-    const auto bytes = static_cast<unsigned>(std::min<size_t>(file.size(), std::numeric_limits<unsigned>::max()));
-    const std::unique_ptr<ExifData, decltype(&exif_data_unref)> exif(exif_data_new_from_data(file.data(), bytes),
-                                                                     &exif_data_unref);
-    if (!exif) return 1;
-    const ExifEntry* entry = exif_content_get_entry(exif->ifd[EXIF_IFD_0], EXIF_TAG_ORIENTATION);
-    if (entry == nullptr || entry->format != EXIF_FORMAT_SHORT || entry->size < 2) return 1;
-    const int orientation = exif_get_short(entry->data, exif_data_get_byte_order(exif.get()));
-    return orientation >= 1 && orientation <= 8 ? orientation : 1;
-}
+// libjpeg reports by callbacks that must not throw through C; the one for errors must not return either. So each step
+// is a function that says whether it has come to its end, and has no locals to destroy.
+struct JpegReader {
+    JpegReader() {
+        jpeg.err = jpeg_std_error(&errors);
+        errors.error_exit = &Fail;
+        errors.emit_message = &Warn;
+        jpeg.client_data = this;
+    }
+    ~JpegReader() {
+        jpeg_destroy_decompress(&jpeg);
+        std::free(profile);
+    }
+    JpegReader(const JpegReader&) = delete;
+    JpegReader& operator=(const JpegReader&) = delete;
 
-// Exif 2.32, sect. 4.6.4.A: the orientation says at which edges of the scene the first row and the first column lie.
-Picture Upright(Picture stored, int orientation) {
-    if (orientation == 1) return stored;
-    const bool swapAxes = orientation >= 5;
-    const bool flipX = orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8;
-    const bool flipY = orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7;
+    static void Fail(j_common_ptr common) {
+        auto* reader = static_cast<JpegReader*>(common->client_data);
+        common->err->format_message(common, reader->failure);
+        std::longjmp(reader->onError, 1);
+    }
 
-    Picture upright =
-        MakePicture(swapAxes ? stored.heightTexels : stored.widthTexels,
-                    swapAxes ? stored.widthTexels : stored.heightTexels, stored.channels, stored.stored);
-    auto to = upright.samples.begin();
-    for (uint32_t y = 0; y < upright.heightTexels; ++y) {
-        for (uint32_t x = 0; x < upright.widthTexels; ++x) {
-            const uint32_t alongX = swapAxes ? y : x;
-            const uint32_t alongY = swapAxes ? x : y;
-            const size_t column = flipX ? stored.widthTexels - 1 - alongX : alongX;
-            const size_t row = flipY ? stored.heightTexels - 1 - alongY : alongY;
-            to = std::copy_n(&stored.samples[(row * stored.widthTexels + column) * stored.channels], stored.channels,
-                             to);
+    // The library goes on after these with texels that it has made up.
+    static void Warn(j_common_ptr common, int level) {
+        constexpr int kFaults[] = {JWRN_HIT_MARKER,  JWRN_HUFF_BAD_CODE, JWRN_ARITH_BAD_CODE,
+                                   JWRN_MUST_RESYNC, JWRN_JPEG_EOF,      JWRN_ADOBE_XFORM};
+        if (level < 0 && std::ranges::count(kFaults, common->err->msg_code) > 0) Fail(common);
+    }
+
+    bool ReadHead(ByteView file, uint64_t maxBytes) {
+        if (setjmp(onError)) return false;
+        jpeg_create_decompress(&jpeg);
+        jpeg.mem->max_memory_to_use = static_cast<long>(std::min<uint64_t>(maxBytes, LONG_MAX));
+        jpeg_mem_src(&jpeg, file.data(), file.size());
+        jpeg_save_markers(&jpeg, JPEG_APP0 + 1, 0xffff);
+        jpeg_save_markers(&jpeg, JPEG_APP0 + 2, 0xffff);
+        jpeg_read_header(&jpeg, TRUE);
+        jpeg.out_color_space = jpeg.num_components == 1   ? JCS_GRAYSCALE
+                               : jpeg.num_components == 3 ? JCS_RGB
+                                                          : JCS_CMYK;
+        jpeg_start_decompress(&jpeg);
+        jpeg_read_icc_profile(&jpeg, &profile, &profileBytes);
+        return true;
+    }
+
+    bool ReadTexels(Picture& picture, uint8_t* row) {
+        if (setjmp(onError)) return false;
+        const size_t rowBytes = size_t{jpeg.output_width} * static_cast<size_t>(jpeg.output_components);
+        float* to = picture.samples.data();
+        while (jpeg.output_scanline < jpeg.output_height) {
+            jpeg_read_scanlines(&jpeg, &row, 1);
+            if (jpeg.out_color_space == JCS_CMYK) InksToRgb(row);
+            const auto& samples = SamplesOf8Bits();
+            to = std::transform(row, row + (rowBytes / jpeg.output_components) * picture.channels, to,
+                                [&](uint8_t code) { return samples[code]; });
+        }
+        if (LacksRefinement()) {
+            jpeg.err->msg_code = JWRN_HIT_MARKER;
+            Fail(reinterpret_cast<j_common_ptr>(&jpeg));
+        }
+        jpeg_finish_decompress(&jpeg);
+        return true;
+    }
+
+    // In place: 4 bytes of ink a texel become 3. Adobe's are inverted: 255 is none.
+    void InksToRgb(uint8_t* row) const {
+        const uint8_t* from = row;
+        const uint8_t invert = jpeg.saw_Adobe_marker ? 0 : 255;
+        for (uint32_t x = 0; x < jpeg.output_width; ++x, from += 4) {
+            const int white = from[3] ^ invert;
+            for (int c = 0; c < 3; ++c)
+                *row++ = static_cast<uint8_t>(((from[c] ^ invert) * white + 127) / 255);
         }
     }
-    return upright;
+
+    // Whether a progressive file ends before scans that its earlier ones need: coef_bits are the bits still missing
+    // of each coefficient, -1 where no scan has it, as may be where all of them are 0.
+    bool LacksRefinement() const {
+        if (jpeg.coef_bits == nullptr) return false;
+        for (int c = 0; c < jpeg.num_components; ++c)
+            if (jpeg.coef_bits[c][0] < 0 ||
+                std::any_of(jpeg.coef_bits[c], jpeg.coef_bits[c] + DCTSIZE2, [](int bits) { return bits > 0; }))
+                return true;
+        return false;
+    }
+
+    [[noreturn]] void ThrowFailure() const {
+        if (errors.msg_code == JWRN_JPEG_EOF) throw CutOff(FileFormat::Jpeg);
+        throw Unreadable(FileFormat::Jpeg, failure);
+    }
+
+    jpeg_decompress_struct jpeg = {};
+    jpeg_error_mgr errors = {};
+    std::jmp_buf onError;
+    JOCTET* profile = nullptr;
+    unsigned profileBytes = 0;
+    char failure[JMSG_LENGTH_MAX] = {};
+};
+
+int ReadOrientation(const JpegReader& reader) {
+    for (auto marker = reader.jpeg.marker_list; marker != nullptr; marker = marker->next)
+        if (marker->marker == JPEG_APP0 + 1 && marker->data_length >= 6 &&
+            std::memcmp(marker->data, "Exif\0", 6) == 0)
+            return ExifOrientation(ByteView(marker->data, marker->data_length));
+    return 1;
 }
 
 }  // namespace
 
 Picture DecodeJpeg(ByteView file, const PictureLimits& limits) {
-    const Size size = ReadSize(file, limits);
-    return Upright(DecodeWithStb(file, FileFormat::Jpeg, SampleType::Unorm8, size.widthTexels, size.heightTexels),
-                   Orientation(file));
+    RequireSegments(file, limits);
+    JpegReader reader;
+    if (!reader.ReadHead(file, MaxFileBytes(limits))) reader.ThrowFailure();
+    const auto& jpeg = reader.jpeg;
+    RequireWithin(jpeg.output_width, jpeg.output_height, limits);
+    Picture picture =
+        MakePicture(jpeg.output_width, jpeg.output_height, jpeg.num_components == 1 ? 1 : 3, SampleType::Unorm8);
+    Bytes row(size_t{jpeg.output_width} * static_cast<size_t>(jpeg.output_components));
+    if (reader.profile != nullptr) SetIccProfile(picture, ByteView(reader.profile, reader.profileBytes));
+    const int orientation = ReadOrientation(reader);
+    if (!reader.ReadTexels(picture, row.data())) reader.ThrowFailure();
+    return Upright(std::move(picture), orientation);
 }
 
 namespace {
 
-// libjpeg reports by a callback that must not return and must not throw through C.
+// As JpegReader.
 struct JpegWriter {
     JpegWriter() {
         jpeg.err = jpeg_std_error(&errors);
@@ -160,6 +259,8 @@ struct JpegWriter {
         for (int i = 0; i < jpeg.num_components; ++i)
             jpeg.comp_info[i].h_samp_factor = jpeg.comp_info[i].v_samp_factor = 1;
         jpeg_start_compress(&jpeg, TRUE);
+        const auto& profile = picture.colorSpace.iccProfile;
+        if (!profile.empty()) jpeg_write_icc_profile(&jpeg, profile.data(), static_cast<unsigned>(profile.size()));
         const size_t rowBytes = size_t{picture.widthTexels} * picture.channels;
         while (jpeg.next_scanline < jpeg.image_height) {
             auto* row = const_cast<uint8_t*>(rows + jpeg.next_scanline * rowBytes);

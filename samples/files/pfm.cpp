@@ -34,6 +34,19 @@ Number ToNumber(std::string_view word) {
     return error == std::errc() ? number : std::numeric_limits<Number>::max();
 }
 
+// How many characters lie between the scale and the floats, at the start of `text`. One, by the format; some programs
+// write spaces and CR LF there. Floats may begin with bytes that look like either, so the length of the file is asked
+// first; one that has more after its picture is taken to end its header with the first line end.
+size_t SeparatorChars(std::string_view text, uint64_t floatBytes) {
+    size_t spaces = 0;
+    while (spaces < text.size() && IsSpace(text[spaces]) && text[spaces] != '\n')
+        ++spaces;
+    const bool hasLineEnd = spaces < text.size() && text[spaces] == '\n';
+    const size_t most = spaces + (hasLineEnd ? 1 : 0);
+    if (text.size() > floatBytes && text.size() - floatBytes <= most) return text.size() - floatBytes;
+    return hasLineEnd ? most : 1;
+}
+
 uint32_t LoadWord(const uint8_t* bytes, bool littleEndian) {
     const uint32_t word =
         uint32_t{bytes[0]} | uint32_t{bytes[1]} << 8 | uint32_t{bytes[2]} << 16 | uint32_t{bytes[3]} << 24;
@@ -53,8 +66,10 @@ Picture DecodePfm(ByteView file, const PictureLimits& limits) {
     RequireWithin(width, height, limits);
 
     const size_t rowSamples = width * channels;
-    if (text.size() < 1 + height * rowSamples * 4) throw CutOff(FileFormat::Pfm);
-    const uint8_t* from = file.data() + (file.size() - text.size()) + 1;  // one space ends the header
+    const uint64_t floatBytes = height * rowSamples * 4;
+    const size_t separator = SeparatorChars(text, floatBytes);
+    if (text.size() < separator + floatBytes) throw CutOff(FileFormat::Pfm);
+    const uint8_t* from = file.data() + (file.size() - text.size()) + separator;
 
     Picture picture = MakePicture(width, height, channels, SampleType::Float32);
     for (size_t y = height; y-- > 0;) {

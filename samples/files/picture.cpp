@@ -118,6 +118,20 @@ Error CutOff(FileFormat format) {
     return Error("cut off: the {} ends before its picture does", FormatName(format));
 }
 
+Error Unreadable(FileFormat format, std::string_view reason) {
+    return Error("damaged {0}, or a kind of {0} that is not read ({1})", FormatName(format), reason);
+}
+
+const std::array<float, 256>& SamplesOf8Bits() {
+    static const std::array<float, 256> samples = [] {
+        std::array<float, 256> table;
+        for (size_t code = 0; code < table.size(); ++code)
+            table[code] = static_cast<float>(code) / 255.0f;
+        return table;
+    }();
+    return samples;
+}
+
 Picture MakePicture(uint64_t widthTexels, uint64_t heightTexels, uint32_t channels, SampleType stored) {
     return {static_cast<uint32_t>(widthTexels), static_cast<uint32_t>(heightTexels), channels, stored,
             std::vector<float>(widthTexels * heightTexels * channels)};
@@ -137,7 +151,12 @@ Picture ReadPicture(const std::string& path, const PictureLimits& limits, std::o
 }
 
 Picture DecodePicture(std::span<const uint8_t> file, const std::string& name, const PictureLimits& limits) {
-    return WithName(name, [&] { return Decode(file, FormatFromContent(file), limits); });
+    constexpr size_t kMostNotes = 8, kMostNoteChars = 200;
+    Picture picture = WithName(name, [&] { return Decode(file, FormatFromContent(file), limits); });
+    picture.notes.resize(std::min(picture.notes.size(), kMostNotes));
+    for (std::string& note : picture.notes)
+        note = Printable(note.substr(0, kMostNoteChars));
+    return picture;
 }
 
 SampleType SampleTypeFor(FileFormat format, SampleType stored) {

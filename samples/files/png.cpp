@@ -2,77 +2,227 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csetjmp>
+#include <cstdio>
+#include <cstring>
 #include <new>
-#include <string>
 #include <string_view>
 #include <utility>
 
 #include "samples/files/codecs.h"
-#include "samples/files/stb.h"
+#include "samples/files/orientation.h"
 
 namespace boxcar {
 namespace {
 
-constexpr size_t kSignatureBytes = 8;
-constexpr size_t kPaletteBytes = 256 * 3;
+constexpr double kSrgbGamma = 0.45455;  // what PNG (3rd ed., sect. 11.3.2.2) has files of the sRGB curve say
+constexpr double kSameGamma = 0.0005;
 
 uint32_t BigEndian32(ByteView bytes) {
     return uint32_t{bytes[0]} << 24 | uint32_t{bytes[1]} << 16 | uint32_t{bytes[2]} << 8 | uint32_t{bytes[3]};
 }
 
-// length (4 bytes), type (4), data (length), checksum of type and data (4)
-struct Chunk {
-    std::string_view type;
-    ByteView data;
-
-    size_t EndIn(ByteView file) const { return static_cast<size_t>(data.data() - file.data()) + data.size() + 4; }
-};
-
-// The chunk at `offset`, whole and with the right checksum; stb looks at neither.
-Chunk ReadChunk(ByteView file, size_t offset) {
-    const ByteView rest = file.subspan(offset);
-    if (rest.size() < 12 || rest.size() - 12 < BigEndian32(rest)) throw CutOff(FileFormat::Png);
-    const uint32_t length = BigEndian32(rest);
-    const Chunk chunk = {std::string_view(reinterpret_cast<const char*>(rest.data()) + 4, 4),
-                         rest.subspan(8, length)};
-    if (crc32(crc32(0, rest.data() + 4, 4), chunk.data.data(), length) != BigEndian32(rest.subspan(8 + length)))
-        throw Error("damaged PNG: the checksum of the chunk at byte {} is wrong", offset);
-    return chunk;
+void AppendBigEndian32(Bytes& bytes, uint32_t word) {
+    for (int shift = 24; shift >= 0; shift -= 8)
+        bytes.push_back(static_cast<uint8_t>(word >> shift & 255));
 }
 
-// stb leaves the palette entries that a file does not give uninitialised, though a texel may ask for them: makes them
-// 0.
-Bytes WithWholePalette(ByteView file, const Chunk& palette) {
-    Bytes whole(file.begin(), file.end());
-    const auto data = whole.begin() + (palette.data.data() - file.data());
-    constexpr uint8_t kLength[4] = {0, 0, kPaletteBytes >> 8, kPaletteBytes & 255};
-    std::copy(std::begin(kLength), std::end(kLength), data - 8);
-    whole.insert(data + static_cast<ptrdiff_t>(palette.data.size()), kPaletteBytes - palette.data.size(), 0);
-    return whole;
+// Looks at the header before the library does, which takes memory for it and has no names for what is wrong.
+//
+// signature (8 bytes), length of the chunk (4), its type (4), width (4), height (4), ..
+void RequireHeader(ByteView file, const PictureLimits& limits) {
+    constexpr size_t kHeaderEnd = 8 + 4 + 4 + 13 + 4;
+    if (file.size() < kHeaderEnd) throw CutOff(FileFormat::Png);
+    const std::string_view type(reinterpret_cast<const char*>(file.data()) + 12, 4);
+    if (type == "CgBI")
+        throw Error("an Apple CgBI PNG, as Xcode writes for iOS; a standard PNG is expected (pngcrush makes one)");
+    if (type != "IHDR" || BigEndian32(file.subspan(8)) != 13)
+        throw Error("damaged PNG: it does not begin with a header");
+    RequireWithin(BigEndian32(file.subspan(16)), BigEndian32(file.subspan(20)), limits);
+}
+
+// libpng reports by callbacks that must not throw through C; the one for errors must not return either. So each step
+// is a function that says whether it has come to its end, and has no locals to destroy.
+struct PngReader {
+    explicit PngReader(ByteView file) : rest(file) {
+        png = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, &Fail, &Warn);
+        if (png != nullptr) info = png_create_info_struct(png);
+        if (info == nullptr) throw std::bad_alloc();
+    }
+    ~PngReader() { png_destroy_read_struct(&png, &info, nullptr); }
+    PngReader(const PngReader&) = delete;
+    PngReader& operator=(const PngReader&) = delete;
+
+    static PngReader& Of(png_structp png) { return *static_cast<PngReader*>(png_get_error_ptr(png)); }
+
+    static void Fail(png_structp png, png_const_charp text) {
+        PngReader& reader = Of(png);
+        std::snprintf(reader.failure, sizeof reader.failure, "%s", text);
+        std::longjmp(reader.onError, 1);
+    }
+
+    static void Warn(png_structp png, png_const_charp text) {
+        if (std::strstr(text, "Too much image data") != nullptr) Fail(png, text);
+        if (std::strncmp(text, "iCCP: ", 6) == 0) Of(png).hasBadProfile = true;
+    }
+
+    static void Take(png_structp png, png_bytep to, size_t bytes) {
+        PngReader& reader = Of(png);
+        reader.isCutOff = bytes > reader.rest.size();
+        if (reader.isCutOff) Fail(png, "");
+        std::memcpy(to, reader.rest.data(), bytes);
+        reader.rest = reader.rest.subspan(bytes);
+    }
+
+    // Up to the texels, which are to be 8 or 16 bits of gray or color, with alpha or without.
+    bool ReadHead(const PictureLimits& limits) {
+        static constexpr png_byte kUnused[] = "tEXt\0zTXt\0iTXt\0sPLT\0hIST\0pCAL\0sCAL\0bKGD";
+        static constexpr png_byte kKept[] = "cICP";
+        if (setjmp(onError)) return false;
+        png_set_read_fn(png, this, &Take);
+        png_set_user_limits(png, limits.maxSideTexels, limits.maxSideTexels);
+        png_set_crc_action(png, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
+        png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, kUnused, sizeof kUnused / 5);
+        png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_ALWAYS, kKept, 1);
+        png_read_info(png, info);
+        png_set_expand(png);
+        passes = png_set_interlace_handling(png);
+        png_read_update_info(png, info);
+        return true;
+    }
+
+    // `rows`: bytes for one row, or where the file is interlaced, for all of them.
+    bool ReadTexels(Picture& picture, uint8_t* rows) {
+        if (setjmp(onError)) return false;
+        const size_t rowBytes = png_get_rowbytes(png, info);
+        float* to = picture.samples.data();
+        for (int pass = 0; pass < passes; ++pass) {
+            for (uint32_t y = 0; y < picture.heightTexels; ++y) {
+                uint8_t* row = rows + (passes > 1 ? y * rowBytes : 0);
+                png_read_row(png, row, nullptr);
+                if (pass + 1 == passes) to = ToSamples(row, rowBytes, picture.stored, to);
+            }
+        }
+        png_read_end(png, info);
+        return true;
+    }
+
+    static float* ToSamples(const uint8_t* row, size_t rowBytes, SampleType stored, float* to) {
+        if (stored == SampleType::Unorm8) {
+            const auto& samples = SamplesOf8Bits();
+            return std::transform(row, row + rowBytes, to, [&](uint8_t code) { return samples[code]; });
+        }
+        for (const uint8_t* end = row + rowBytes; row != end; row += 2)
+            *to++ = static_cast<float>(row[0] << 8 | row[1]) / 65535.0f;
+        return to;
+    }
+
+    [[noreturn]] void ThrowFailure() const {
+        if (isCutOff) throw CutOff(FileFormat::Png);
+        throw Unreadable(FileFormat::Png, failure);
+    }
+
+    png_structp png = nullptr;
+    png_infop info = nullptr;
+    ByteView rest;
+    std::jmp_buf onError;
+    int passes = 1;
+    bool isCutOff = false;
+    bool hasBadProfile = false;
+    char failure[128] = {};
+};
+
+// Precedence: PNG 3rd ed., sect. 4.3, but for cICP.
+void ReadColorSpace(const PngReader& reader, Picture& picture) {
+    png_unknown_chunkp chunks = nullptr;
+    const int chunkCount = png_get_unknown_chunks(reader.png, reader.info, &chunks);
+    for (const auto& chunk : std::span(chunks, static_cast<size_t>(chunkCount)))
+        if (chunk.size >= 2 && !(chunk.data[0] == 1 && chunk.data[1] == 13))  // sRGB: ITU-T H.273, tables 2 and 3
+            picture.notes.push_back(
+                fmt::format("its cICP chunk (primaries {}, transfer {}) is not used", chunk.data[0], chunk.data[1]));
+
+    png_charp name = nullptr;
+    int compression = 0;
+    png_bytep profile = nullptr;
+    png_uint_32 profileBytes = 0;
+    if (png_get_iCCP(reader.png, reader.info, &name, &compression, &profile, &profileBytes) != 0)
+        return SetIccProfile(picture, ByteView(profile, profileBytes));
+    if (reader.hasBadProfile) picture.notes.push_back("its ICC profile is damaged and left out");
+    if (png_get_valid(reader.png, reader.info, PNG_INFO_sRGB) != 0) return;
+    double gamma = 0;
+    if (png_get_gAMA(reader.png, reader.info, &gamma) != 0 && std::abs(gamma - kSrgbGamma) > kSameGamma)
+        picture.colorSpace.gamma = gamma;
+    double red[2], green[2], blue[2], white[2];
+    if (png_get_cHRM(reader.png, reader.info, &white[0], &white[1], &red[0], &red[1], &green[0], &green[1], &blue[0],
+                     &blue[1]) != 0) {
+        Primaries primaries;
+        auto to = primaries.begin();
+        for (const auto& color : {red, green, blue, white})
+            to = std::transform(color, color + 2, to, [](double c) { return static_cast<float>(c); });
+        SetPrimaries(picture, primaries);
+    }
+}
+
+int ReadOrientation(const PngReader& reader) {
+    png_uint_32 bytes = 0;
+    png_bytep data = nullptr;
+    if (png_get_eXIf_1(reader.png, reader.info, &bytes, &data) == 0) return 1;
+    Bytes exif = {'E', 'x', 'i', 'f', 0, 0};
+    exif.insert(exif.end(), data, data + bytes);
+    return ExifOrientation(exif);
 }
 
 }  // namespace
 
 Picture DecodePng(ByteView file, const PictureLimits& limits) {
-    const Chunk header = ReadChunk(file, kSignatureBytes);
-    if (header.type != "IHDR" || header.data.size() != 13)
-        throw Error("damaged PNG: it does not begin with a header");
-    const uint32_t width = BigEndian32(header.data);
-    const uint32_t height = BigEndian32(header.data.subspan(4));
-    RequireWithin(width, height, limits);
-    const SampleType stored = header.data[8] == 16 ? SampleType::Unorm16 : SampleType::Unorm8;
-
-    Bytes whole;
-    for (Chunk chunk = header; chunk.type != "IEND"; chunk = ReadChunk(file, chunk.EndIn(file)))
-        if (chunk.type == "PLTE" && chunk.data.size() < kPaletteBytes && chunk.data.size() % 3 == 0 && whole.empty())
-            whole = WithWholePalette(file, chunk);
-    return DecodeWithStb(whole.empty() ? file : ByteView(whole), FileFormat::Png, stored, width, height);
+    RequireHeader(file, limits);
+    PngReader reader(file);
+    if (!reader.ReadHead(limits)) reader.ThrowFailure();
+    const uint32_t height = png_get_image_height(reader.png, reader.info);
+    Picture picture =
+        MakePicture(png_get_image_width(reader.png, reader.info), height, png_get_channels(reader.png, reader.info),
+                    png_get_bit_depth(reader.png, reader.info) == 16 ? SampleType::Unorm16 : SampleType::Unorm8);
+    Bytes rows(png_get_rowbytes(reader.png, reader.info) * (reader.passes > 1 ? height : 1));
+    if (!reader.ReadTexels(picture, rows.data())) reader.ThrowFailure();
+    ReadColorSpace(reader, picture);
+    return Upright(std::move(picture), ReadOrientation(reader));
 }
 
 namespace {
 
-// libpng reports by a callback that must not return and must not throw through C.
+struct PngChunk {
+    const char* type;
+    Bytes data;
+};
+
+// iCCP: a name, 0, method 0, zlib's stream. gAMA, cHRM: units of 1 / 100000, white first.
+std::vector<PngChunk> ColorChunks(const ColorSpace& space) {
+    const auto append = [](Bytes& bytes, double value) {
+        AppendBigEndian32(bytes, static_cast<uint32_t>(std::lround(value * 100000)));
+    };
+    std::vector<PngChunk> chunks;
+    if (!space.iccProfile.empty()) {
+        constexpr char kName[] = "ICC";
+        uLongf bytes = compressBound(space.iccProfile.size());
+        Bytes& data = chunks.emplace_back(PngChunk{"iCCP", Bytes(sizeof kName + 1 + bytes)}).data;
+        std::copy(kName, std::end(kName), data.begin());
+        compress(&data[sizeof kName + 1], &bytes, space.iccProfile.data(), space.iccProfile.size());
+        data.resize(sizeof kName + 1 + bytes);
+        return chunks;
+    }
+    const bool hasPrimaries = space.primaries && LostColorSpace({0, space.primaries, {}}, FileFormat::Png).empty();
+    if (space.gamma != 0 || hasPrimaries)
+        append(chunks.emplace_back(PngChunk{"gAMA", {}}).data, space.gamma != 0 ? space.gamma : kSrgbGamma);
+    if (hasPrimaries) {
+        Bytes& data = chunks.emplace_back(PngChunk{"cHRM", {}}).data;
+        for (const size_t i : {6, 7, 0, 1, 2, 3, 4, 5})
+            append(data, (*space.primaries)[i]);
+    }
+    return chunks;
+}
+
+// As PngReader.
 struct PngWriter {
     PngWriter() {
         png = png_create_write_struct(PNG_LIBPNG_VER_STRING, this, &Fail, nullptr);
@@ -85,7 +235,7 @@ struct PngWriter {
 
     static void Fail(png_structp png, png_const_charp text) {
         auto* writer = static_cast<PngWriter*>(png_get_error_ptr(png));
-        writer->failure = text;
+        std::snprintf(writer->failure, sizeof writer->failure, "%s", text);
         std::longjmp(writer->onError, 1);
     }
 
@@ -99,7 +249,7 @@ struct PngWriter {
         png_error(png, "out of memory");
     }
 
-    bool Write(const Picture& picture, int bits, const uint8_t* rows) {
+    bool Write(const Picture& picture, int bits, std::span<const PngChunk> chunks, const uint8_t* rows) {
         constexpr int kColorTypes[] = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB,
                                        PNG_COLOR_TYPE_RGB_ALPHA};
         if (setjmp(onError)) return false;
@@ -107,6 +257,9 @@ struct PngWriter {
         png_set_IHDR(png, info, picture.widthTexels, picture.heightTexels, bits, kColorTypes[picture.channels - 1],
                      PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
         png_write_info(png, info);
+        for (const PngChunk& chunk :
+             chunks)  // as they are: png_set_iCCP would refuse profiles for their small faults
+            png_write_chunk(png, reinterpret_cast<png_const_bytep>(chunk.type), chunk.data.data(), chunk.data.size());
         const size_t rowBytes = size_t{picture.widthTexels} * picture.channels * static_cast<size_t>(bits) / 8;
         for (uint32_t y = 0; y < picture.heightTexels; ++y)
             png_write_row(png, rows + y * rowBytes);
@@ -118,7 +271,7 @@ struct PngWriter {
     png_infop info = nullptr;
     std::jmp_buf onError;
     Bytes file;
-    std::string failure;
+    char failure[128] = {};
 };
 
 }  // namespace
@@ -135,8 +288,9 @@ Bytes EncodePng(const Picture& picture, SampleType sampleType) {
         }
     }
     PngWriter writer;
-    if (!writer.Write(picture, sampleType == SampleType::Unorm8 ? 8 : 16, rows.data()))
-        throw Error("PNG cannot hold it ({})", writer.failure);
+    if (!writer.Write(picture, sampleType == SampleType::Unorm8 ? 8 : 16, ColorChunks(picture.colorSpace),
+                      rows.data()))
+        throw Error("PNG cannot hold it ({})", static_cast<const char*>(writer.failure));
     return std::move(writer.file);
 }
 

@@ -171,16 +171,28 @@ TEST(BadInputTest, SidesBeyond32BitsAreRefused) {
 }
 
 TEST(BadInputTest, PngWithAWrongChecksumIsRefused) {
-    Bytes file = SmallFile("rgb8_png");
+    Bytes file = SmallFile("tagged_png");
+    for (const std::string type : {"IHDR", "gAMA", "iCCP", "IDAT", "eXIf", "IEND"}) {
+        Bytes changed = file;
+        const auto chunk = std::search(changed.begin(), changed.end(), type.begin(), type.end());
+        chunk[4 + *(chunk - 2) * 256 + *(chunk - 1)] ^= 1;
+        EXPECT_EQ(ErrorFor(changed), "damaged PNG, or a kind of PNG that is not read (" + type + ": CRC error)");
+    }
+    file = SmallFile("rgb8_png");
     file[60] ^= 1;
-    EXPECT_EQ(ErrorFor(file), "damaged PNG: the checksum of the chunk at byte 33 is wrong");
+    EXPECT_TRUE(ErrorFor(file).starts_with("damaged PNG, or a kind of PNG that is not read (IDAT: "));
+}
+
+TEST(BadInputTest, PngOfAppleIsRefusedByName) {
+    EXPECT_EQ(ErrorFor(MakePng({{"CgBI", {0x50, 0, 0x20, 2}}, PngHeader(1, 1, 8, PNG_COLOR_TYPE_RGB), {"IEND", {}}})),
+              "an Apple CgBI PNG, as Xcode writes for iOS; a standard PNG is expected (pngcrush makes one)");
 }
 
 TEST(BadInputTest, PngThatUnpacksToTooLittleOrTooMuchIsRefused) {
-    // stored zlib blocks: final, length, its complement, bytes
-    const Bytes little = {0x78, 0x01, 1, 1, 0, 0xfe, 0xff, 0, 0, 0, 0, 0};
+    // stored zlib blocks: final, length, its complement, bytes; then their Adler-32
+    const Bytes little = {0x78, 0x01, 1, 1, 0, 0xfe, 0xff, 0, 0, 1, 0, 1};
     EXPECT_EQ(ErrorFor(MakePng({PngHeader(2, 2, 8, PNG_COLOR_TYPE_GRAY), {"IDAT", little}, {"IEND", {}}})),
-              "damaged PNG, or a kind of PNG that is not read (not enough pixels)");
+              "damaged PNG, or a kind of PNG that is not read (Not enough image data)");
 
     // 64 MB of zeros in 64 KB: a picture of 1 x 1 has no use for them
     Bytes zeros(64'000'000), packed(compressBound(zeros.size()));
@@ -188,7 +200,7 @@ TEST(BadInputTest, PngThatUnpacksToTooLittleOrTooMuchIsRefused) {
     ASSERT_EQ(compress(packed.data(), &size, zeros.data(), zeros.size()), Z_OK);
     packed.resize(size);
     EXPECT_EQ(ErrorFor(MakePng({PngHeader(1, 1, 8, PNG_COLOR_TYPE_GRAY), {"IDAT", packed}, {"IEND", {}}})),
-              "damaged PNG, or a kind of PNG that is not read (outofmem)");
+              "damaged PNG, or a kind of PNG that is not read (IDAT: Too much image data)");
 }
 
 TEST(BadInputTest, JpegWithTablesOutOfBoundsIsRefused) {
@@ -197,7 +209,62 @@ TEST(BadInputTest, JpegWithTablesOutOfBoundsIsRefused) {
     while (file[table] != 0xff || file[table + 1] != 0xc4)
         ++table;
     std::fill_n(file.begin() + static_cast<ptrdiff_t>(table) + 5, 16, uint8_t{255});
-    EXPECT_EQ(ErrorFor(file), "damaged JPEG: a Huffman table is out of bounds");
+    EXPECT_EQ(ErrorFor(file), "damaged JPEG, or a kind of JPEG that is not read (Bogus Huffman table definition)");
+}
+
+size_t FindMarker(const Bytes& file, uint8_t marker, size_t from = 0) {
+    while (file[from] != 0xff || file[from + 1] != marker)
+        ++from;
+    return from;
+}
+
+TEST(BadInputTest, JpegKindsAreRefusedByName) {
+    Bytes file = SmallFile("colour_jpg");
+    const size_t frame = FindMarker(file, 0xc0);
+    const auto errorWith = [&](size_t offset, uint8_t value) {
+        Bytes changed = file;
+        changed[frame + offset] = value;
+        return ErrorFor(changed);
+    };
+    EXPECT_EQ(errorWith(4, 12), "a JPEG of 12 bits a sample; 8 are expected");
+    EXPECT_EQ(errorWith(9, 2), "a JPEG of 2 components; 1, 3 or 4 are expected");
+    Bytes inks = SmallFile("ycck_jpg");
+    inks[FindMarker(inks, 0xee) + 15] = 9;
+    EXPECT_EQ(ErrorFor(inks),
+              "damaged JPEG, or a kind of JPEG that is not read (Unknown Adobe color transform code 9)");
+    EXPECT_EQ(errorWith(1, 0xc3), "a lossless JPEG (frame 0xc3); a sequential or progressive one is expected");
+    EXPECT_EQ(errorWith(1, 0xc5), "a hierarchical JPEG (frame 0xc5); a sequential or progressive one is expected");
+    EXPECT_EQ(errorWith(1, 0xf7), "a JPEG-LS JPEG (frame 0xf7); a sequential or progressive one is expected");
+}
+
+// Someone has put an end marker where the data break off.
+TEST(BadInputTest, JpegWhoseDataBreakOffBeforeTheirEndMarkerIsRefused) {
+    for (const std::string name : {"grey_jpg", "colour_jpg", "chroma420_jpg", "progressive_jpg", "cmyk_jpg"}) {
+        SCOPED_TRACE(name);
+        const Bytes whole = SmallFile(name);
+        for (size_t length = FindMarker(whole, 0xda) + 12; length < whole.size() - 2; ++length) {
+            Bytes file(whole.begin(), whole.begin() + static_cast<ptrdiff_t>(length));
+            file.insert(file.end(), {0xff, 0xd9});
+            const TemporaryFolder folder;
+            ASSERT_THROW(ReadPicture(folder.Put("p", file)), Error) << length << " of " << whole.size() << " bytes";
+        }
+    }
+}
+
+TEST(BadInputTest, JpegThatLacksScansIsRefused) {
+    JpegFile sequential{{12, 19}, 3, Bytes(12 * 19 * 3, 77)};
+    sequential.componentScans = true;
+    for (const Bytes& whole : {SmallFile("progressive_jpg"), MakeJpeg(sequential)}) {
+        std::vector<size_t> scans;
+        for (size_t at = 0; at + 1 < whole.size(); ++at)
+            if (whole[at] == 0xff && whole[at + 1] == 0xda) scans.push_back(at);
+        EXPECT_GE(scans.size(), 3u);
+        for (const size_t scan : scans) {
+            Bytes file(whole.begin(), whole.begin() + static_cast<ptrdiff_t>(scan));
+            file.insert(file.end(), {0xff, 0xd9});
+            EXPECT_NE(ErrorFor(file), "");
+        }
+    }
 }
 
 TEST(BadInputTest, JpegOfEndlessScansIsRefused) {
@@ -224,6 +291,24 @@ TEST(BadInputTest, ExrThatAsksForMoreMemoryThanItsTexelsIsRefused) {
     at = std::search(tiles.begin(), tiles.end(), tileName.begin(), tileName.end()) + 19;
     std::copy_n("\xff\xff\0\0\xff\xff\0", 7, at);  // 65535 x 65535
     EXPECT_EQ(ErrorFor(tiles), "its tiles or groups of lines take 40959 MiB; at most 1088 MiB are allowed");
+}
+
+// Their tables of offsets would take more than the file holds.
+TEST(BadInputTest, ExrTablesThatTheFileDoesNotHoldAreRefusedBeforeTheyTakeMemory) {
+    const auto withWindow = [](Bytes file, uint32_t side) {
+        const std::string name = "dataWindow";
+        const auto window = std::search(file.begin(), file.end(), name.begin(), name.end()) + 11 + 6 + 4;
+        for (const int field : {2, 3})
+            for (int byte = 0; byte < 4; ++byte)
+                window[field * 4 + byte] = static_cast<uint8_t>((side - 1) >> (8 * byte) & 255);
+        return file;
+    };
+    Bytes tiles = withWindow(SmallFile("tiles0_exr"), 8000);
+    const std::string tileName("tiles\0tiledesc\0", 15);
+    const auto at = std::search(tiles.begin(), tiles.end(), tileName.begin(), tileName.end()) + 19;
+    std::copy_n("\1\0\0\0\1\0\0\0", 8, at);  // 64 million tiles of 1 x 1
+    EXPECT_EQ(ErrorFor(tiles), "cut off: the EXR ends before its picture does");
+    EXPECT_EQ(ErrorFor(withWindow(SmallFile("lines0_exr"), 8000)), "cut off: the EXR ends before its picture does");
 }
 
 // Everything that can be cut off is cut off, at every length.

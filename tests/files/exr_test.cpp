@@ -4,10 +4,10 @@
 #include <OpenEXR/ImfDeepFrameBuffer.h>
 #include <OpenEXR/ImfDeepScanLineOutputFile.h>
 #include <OpenEXR/ImfHeader.h>
-#include <OpenEXR/ImfMultiPartOutputFile.h>
-#include <OpenEXR/ImfOutputPart.h>
 #include <OpenEXR/ImfPartType.h>
 #include <OpenEXR/ImfPixelType.h>
+
+#include <optional>
 
 #include "tests/files/support.h"
 
@@ -128,40 +128,117 @@ TEST(ExrTest, OtherChannelsAreRefusedByName) {
     const std::vector<float> v = Ramp(1);
     const int f = Imf::FLOAT;
     EXPECT_EQ(ErrorFor(MakeExr({kSize, {{"R", f, v}, {"G", f, v}}})),
-              "its channels are G R; R G B [A], Y [A] or a single one are expected");
+              "its channels are G R; R G B [A], Y [A], Y RY BY [A] or a single one are expected");
     EXPECT_EQ(ErrorFor(MakeExr({kSize, {{"l.R", f, v}, {"l.G", f, v}, {"l.B", f, v}}})),
-              "its channels are l.B l.G l.R; R G B [A], Y [A] or a single one are expected");
+              "its channels are l.B l.G l.R; R G B [A], Y [A], Y RY BY [A] or a single one are expected");
 }
 
-TEST(ExrTest, LuminanceAndChromaIsRefused) {
+// Written by the library from colors that change slowly, so that little is lost with three quarters of the chroma.
+TEST(ExrTest, LuminanceAndChromaBecomeRgb) {
+    constexpr Size kLarge = {48, 40};
+    const auto colorAt = [](uint32_t x, uint32_t y) {
+        return std::array{0.5f + 0.01f * static_cast<float>(x), 0.6f, 0.9f - 0.01f * static_cast<float>(y),
+                          static_cast<float>(x % 2)};
+    };
+    for (const uint32_t channels : {3u, 4u}) {
+        const Picture picture = Read(MakeChromaExr(kLarge, channels, colorAt));
+        EXPECT_EQ(picture.widthTexels, kLarge.width);
+        EXPECT_EQ(picture.heightTexels, kLarge.height);
+        ASSERT_EQ(picture.channels, channels);
+        EXPECT_TRUE(picture.notes.empty());
+        const float* sample = picture.samples.data();
+        for (uint32_t y = 0; y < kLarge.height; ++y)
+            for (uint32_t x = 0; x < kLarge.width; ++x)
+                for (uint32_t c = 0; c < channels; ++c)
+                    ASSERT_NEAR(*sample++, colorAt(x, y)[c], 0.02) << x << ", " << y << ", channel " << c;
+    }
+}
+
+TEST(ExrTest, SubsampledColorIsRefused) {
     const Size even = {12, 18};
     const std::vector<float> v(12 * 18, 0.5f), quarter(6 * 9, 0.5f);
     const int h = Imf::HALF;
-    EXPECT_EQ(ErrorFor(MakeExr({even, {{"Y", h, v}, {"RY", h, quarter, 2}, {"BY", h, quarter, 2}}})),
-              "its channels are BY RY Y; R G B [A], Y [A] or a single one are expected");
     EXPECT_EQ(ErrorFor(MakeExr({even, {{"R", h, v}, {"G", h, v}, {"B", h, quarter, 2}}})),
               "its channel B is subsampled; one sample a texel is expected");
+    EXPECT_EQ(ErrorFor(MakeExr({even, {{"Y", h, v}, {"RY", h, quarter, 2}}})),
+              "its channels are RY Y; R G B [A], Y [A], Y RY BY [A] or a single one are expected");
 }
 
-TEST(ExrTest, PartsAndDeepPixelsAreRefused) {
-    constexpr char kMessage[] = "an EXR of several parts or of deep pixels; a single flat part is expected";
-    const TemporaryFolder folder;
-    std::vector<Imf::Header> headers(2, Imf::Header(2, 2));
-    headers[0].setName("left");
-    headers[1].setName("right");
-    for (Imf::Header& header : headers) {
-        header.setType(Imf::SCANLINEIMAGE);
-        header.channels().insert("Y", Imf::Channel(Imf::FLOAT));
+// The window and its data, as if they were drawn on an endless black plane.
+TEST(ExrTest, ThePictureIsTheDisplayWindow) {
+    const std::vector<float> r = Ramp(1), g = Ramp(2), b = Ramp(3), a = Ramp(4);
+    const int f = Imf::FLOAT;
+    constexpr int kMinX = 5, kMinY = -3;
+    const std::array<int, 4> displays[] = {{0, -9, 30, 30},  {5, -3, 16, 15}, {7, 0, 9, 9},     {0, 0, 9, 40},
+                                           {10, -9, 40, -1}, {5, -20, 16, 0}, {40, 40, 45, 41}, {0, 0, 3, 60}};
+    for (const auto& display : displays) {
+        for (const bool tiled : {false, true}) {
+            SCOPED_TRACE(fmt::format("({}, {}) to ({}, {})", display[0], display[1], display[2], display[3]));
+            const Picture picture = Read(MakeExr({kSize,
+                                                  {{"R", f, r}, {"G", f, g}, {"B", f, b}, {"A", f, a}},
+                                                  Imf::ZIP_COMPRESSION,
+                                                  kMinX,
+                                                  kMinY,
+                                                  tiled,
+                                                  display}));
+            ASSERT_EQ(picture.widthTexels, static_cast<uint32_t>(display[2] - display[0] + 1));
+            ASSERT_EQ(picture.heightTexels, static_cast<uint32_t>(display[3] - display[1] + 1));
+            const float* sample = picture.samples.data();
+            for (int y = display[1]; y <= display[3]; ++y)
+                for (int x = display[0]; x <= display[2]; ++x) {
+                    const int column = x - kMinX, row = y - kMinY;
+                    const bool isInside = column >= 0 && column < 12 && row >= 0 && row < 19;
+                    const auto i = static_cast<size_t>(row * 12 + column);
+                    for (const auto* channel : {&r, &g, &b, &a})
+                        ASSERT_EQ(*sample++, isInside ? (*channel)[i] : 0.0f) << x << ", " << y;
+                }
+            const bool isWhole = display[0] <= 5 && display[1] <= -3 && display[2] >= 16 && display[3] >= 15;
+            EXPECT_EQ(picture.notes.size(), isWhole ? 0u : 1u);
+        }
     }
-    { const Imf::MultiPartOutputFile file(folder.Path("parts").c_str(), headers.data(), 2); }
-    EXPECT_EQ(ErrorFor(Contents(folder.Path("parts"))), kMessage);
+    EXPECT_EQ(
+        Read(MakeExr({kSize, {{"Y", f, r}}, Imf::ZIP_COMPRESSION, kMinX, kMinY, false, {0, 0, 9, 40}})).notes,
+        std::vector<std::string>{"its texels outside the display window are left out: data (5, -3) to (16, 15), "
+                                 "display (0, 0) to (9, 40)"});
+}
 
+TEST(ExrTest, ChromaticitiesAreReadAndWritten) {
+    const TemporaryFolder folder;
+    // ACES AP0: SMPTE ST 2065-1
+    const Primaries aces = {0.7347f, 0.2653f, 0, 1, 0.0001f, -0.077f, 0.32168f, 0.33767f};
+    Picture picture = PatternPicture(kSize, 3, SampleType::Float32);
+    picture.colorSpace.primaries = aces;
+    WritePicture(picture, folder.Path("p.exr"), FileFormat::Exr, SampleType::Float32);
+    const Picture read = ReadPicture(folder.Path("p.exr"));
+    EXPECT_EQ(read.colorSpace.primaries, aces);
+    EXPECT_TRUE(read.notes.empty());
+
+    picture.colorSpace.primaries = {0.64f, 0.33f, 0.3f, 0.6f, 0.15f, 0.06f, 0.3127f, 0.329f};
+    WritePicture(picture, folder.Path("p.exr"), FileFormat::Exr, SampleType::Float32);
+    EXPECT_EQ(ReadPicture(folder.Path("p.exr")).colorSpace.primaries, std::nullopt);  // sRGB's
+}
+
+TEST(ExrTest, OfSeveralPartsTheFirstWithAPictureIsRead) {
+    const Picture color = Read(MakePartsExr({{"depth", "Z"}, {"left", "RGB"}, {"right", "RGBA"}}));
+    ExpectSame(color, {2, 2, 3, SampleType::Float32, std::vector<float>(12, 2.0f)});
+    EXPECT_EQ(color.notes, std::vector<std::string>{"part left is read and the others are not: depth, right"});
+
+    const Picture depth = Read(MakePartsExr({{"ids", "UV"}, {"depth", "Z"}}));
+    ExpectSame(depth, {2, 2, 1, SampleType::Float32, std::vector<float>(4, 2.0f)});
+    EXPECT_EQ(depth.notes, std::vector<std::string>{"part depth is read and the others are not: ids"});
+
+    EXPECT_EQ(ErrorFor(MakePartsExr({{"a", "UV"}, {"b", "NM"}})),
+              "its channels are U V M N; R G B [A], Y [A], Y RY BY [A] or a single one are expected");
+}
+
+TEST(ExrTest, DeepPixelsAreRefused) {
+    const TemporaryFolder folder;
     Imf::Header deep(2, 2);
     deep.setType(Imf::DEEPSCANLINE);
     deep.compression() = Imf::ZIPS_COMPRESSION;
     deep.channels().insert("Y", Imf::Channel(Imf::FLOAT));
     { const Imf::DeepScanLineOutputFile file(folder.Path("deep").c_str(), deep); }
-    EXPECT_EQ(ErrorFor(Contents(folder.Path("deep"))), kMessage);
+    EXPECT_EQ(ErrorFor(Contents(folder.Path("deep"))), "an EXR of deep pixels; flat ones are expected");
 }
 
 TEST(ExrTest, WritesFloatScanLinesPackedByZip) {

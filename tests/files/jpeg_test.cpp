@@ -1,3 +1,9 @@
+// jpeglib.h needs what is before it.
+// clang-format off
+#include <cstdio>
+#include <jpeglib.h>
+// clang-format on
+
 #include "tests/files/support.h"
 
 namespace boxcar::test {
@@ -31,34 +37,93 @@ TEST(JpegTest, ReadsProgressiveAndSubsampledFiles) {
     ExpectNear(Read(MakeJpeg({kSize, 3, Codes(picture), true, 2})), picture, 5.01);
 }
 
-TEST(JpegTest, CmykBecomesRgb) {
-    // As Adobe writes it: inverted, so that C = 255 is no ink. Then R = C K / 255.
-    Bytes codes;
-    for (uint32_t i = 0; i < kSize.width * kSize.height; ++i)
-        codes.insert(codes.end(), {200, 100, 50, 128});
+// Inks over paper: R = (1 - C) (1 - K). Adobe's are inverted, so that 255 is no ink.
+TEST(JpegTest, InksBecomeRgb) {
+    Bytes inks, inverted;
     Picture expected{kSize.width, kSize.height, 3, SampleType::Unorm8, {}};
-    for (uint32_t i = 0; i < kSize.width * kSize.height; ++i)
-        for (const int ink : {200, 100, 50})
-            expected.samples.push_back(static_cast<float>(ink) * 128.0f / 255.0f / 255.0f);
-    ExpectNear(Read(MakeJpeg({kSize, 4, codes})), expected, 2.01);
+    for (uint32_t i = 0; i < kSize.width * kSize.height; ++i) {
+        for (const uint8_t ink : Bytes{55, 155, 205, 127}) {
+            inks.push_back(ink);
+            inverted.push_back(static_cast<uint8_t>(255 - ink));
+        }
+        for (const double ink : {55, 155, 205})
+            expected.samples.push_back(static_cast<float>((1 - ink / 255) * (1 - 127.0 / 255)));
+    }
+    for (const bool progressive : {false, true}) {
+        for (const int chromaStep : {1, 2}) {
+            JpegFile file{kSize, 4, inverted, progressive, chromaStep};
+            ExpectNear(Read(MakeJpeg(file)), expected, 2.01);
+            file.colorSpace = JCS_YCCK;
+            ExpectNear(Read(MakeJpeg(file)), expected, 2.01);
+            file.colorSpace = 0;
+            file.codes = inks;
+            file.adobeMarker = false;
+            ExpectNear(Read(MakeJpeg(file)), expected, 2.01);
+        }
+    }
 }
 
-// Where the texel that is seen at (x, y) lies in the file, for pictures of `stored` size. Exif 2.32, sect. 4.6.4.A:
-// "the 0th row is the visual .. of the image, the 0th column is the visual ..":
-//   1 top left  2 top right  3 bottom right  4 bottom left  5 left top  6 right top  7 right bottom  8 left bottom
-std::pair<uint32_t, uint32_t> ColumnAndRow(int orientation, Size stored, uint32_t x, uint32_t y) {
-    const uint32_t w = stored.width - 1;
-    const uint32_t h = stored.height - 1;
-    switch (orientation) {
-        case 1: return {x, y};
-        case 2: return {w - x, y};
-        case 3: return {w - x, h - y};
-        case 4: return {x, h - y};
-        case 5: return {y, x};          // rows run down from the left edge
-        case 6: return {y, h - x};      // row 0 is the right edge, read from its top
-        case 7: return {w - y, h - x};  // row 0 is the right edge, read from its bottom
-        default: return {w - y, x};     // row 0 is the left edge, read from its bottom
+// Neither is YCbCr: Adobe's marker says transform 0, or the components are called R, G and B.
+TEST(JpegTest, RgbThatIsStoredAsRgbStaysSo) {
+    const Picture picture = SmoothPicture(kSize, 3);
+    JpegFile file{kSize, 3, Codes(picture)};
+    file.colorSpace = JCS_RGB;
+    for (const bool adobeMarker : {true, false}) {
+        file.adobeMarker = adobeMarker;
+        ExpectNear(Read(MakeJpeg(file)), picture, 2.01);
     }
+}
+
+// The coding is without loss, so the texels are those of the Huffman-coded file.
+TEST(JpegTest, ArithmeticCodingChangesNothing) {
+    for (const int channels : {1, 3, 4}) {
+        for (const bool progressive : {false, true}) {
+            JpegFile file{kSize, channels, Codes(SmoothPicture(kSize, static_cast<uint32_t>(channels))), progressive};
+            const Picture huffman = Read(MakeJpeg(file));
+            file.arithmetic = true;
+            ExpectSame(Read(MakeJpeg(file)), huffman);
+        }
+    }
+}
+
+TEST(JpegTest, AScanForEachComponentChangesNothing) {
+    JpegFile file{kSize, 3, Codes(SmoothPicture(kSize, 3)), false, 2};
+    const Picture picture = Read(MakeJpeg(file));
+    file.componentScans = true;
+    ExpectSame(Read(MakeJpeg(file)), picture);
+}
+
+TEST(JpegTest, TheIccProfileIsReadAndWritten) {
+    const TemporaryFolder folder;
+    for (const uint32_t channels : {1u, 3u}) {
+        // 65519 bytes are the most that one segment holds
+        for (const size_t bytes : {size_t{300}, size_t{70'000}, size_t{200'000}}) {
+            JpegFile file{kSize, static_cast<int>(channels), Codes(SmoothPicture(kSize, channels))};
+            file.profile = MakeProfile(channels == 1 ? "GRAY" : "RGB ", bytes);
+            const Picture read = Read(MakeJpeg(file));
+            EXPECT_EQ(read.colorSpace.iccProfile, file.profile);
+            EXPECT_TRUE(read.notes.empty());
+            for (const FileFormat format : {FileFormat::Jpeg, FileFormat::Png}) {
+                WritePicture(read, folder.Path("p"), format, SampleType::Unorm8);
+                EXPECT_EQ(ReadPicture(folder.Path("p")).colorSpace.iccProfile, file.profile);
+            }
+        }
+    }
+}
+
+TEST(JpegTest, AProfileThatIsNotForThePictureIsANote) {
+    JpegFile file{kSize, 4, Codes(SmoothPicture(kSize, 4))};
+    file.profile = MakeProfile("CMYK");
+    const Picture inks = Read(MakeJpeg(file));
+    EXPECT_TRUE(inks.colorSpace.iccProfile.empty());
+    EXPECT_EQ(inks.notes,
+              std::vector<std::string>{"its ICC profile is for CMYK and is left out; the picture is RGB here"});
+    file = {kSize, 1, Codes(SmoothPicture(kSize, 1))};
+    file.profile = MakeProfile("RGB ");
+    EXPECT_EQ(Read(MakeJpeg(file)).notes,
+              std::vector<std::string>{"its ICC profile is for RGB and is left out; the picture is gray here"});
+    file.profile = Bytes(140, 7);
+    EXPECT_EQ(Read(MakeJpeg(file)).notes, std::vector<std::string>{"its ICC profile is damaged and left out"});
 }
 
 TEST(JpegTest, IsTurnedUprightAsExifSays) {
@@ -67,18 +132,7 @@ TEST(JpegTest, IsTurnedUprightAsExifSays) {
     for (const bool bigEndian : {false, true}) {
         for (uint8_t orientation = 1; orientation <= 8; ++orientation) {
             SCOPED_TRACE(fmt::format("orientation {}", orientation));
-            const Picture upright = Read(WithOrientation(file, orientation, bigEndian));
-            ASSERT_EQ(upright.widthTexels, orientation <= 4 ? kSize.width : kSize.height);
-            ASSERT_EQ(upright.heightTexels, orientation <= 4 ? kSize.height : kSize.width);
-            for (uint32_t y = 0; y < upright.heightTexels; ++y) {
-                for (uint32_t x = 0; x < upright.widthTexels; ++x) {
-                    const auto [column, row] = ColumnAndRow(orientation, kSize, x, y);
-                    for (uint32_t c = 0; c < 3; ++c)
-                        ASSERT_EQ(upright.samples[(y * upright.widthTexels + x) * 3 + c],
-                                  stored.samples[(row * kSize.width + column) * 3 + c])
-                            << x << ", " << y;
-                }
-            }
+            ExpectTurned(Read(WithOrientation(file, orientation, bigEndian)), stored, orientation);
         }
     }
 }

@@ -40,6 +40,22 @@ TEST(PfmTest, HeadersMayBeLaidOutOtherwise) {
         ExpectSame(ReadPicture(folder.Put("p", ToBytes(header + kBigEndianSamples))), kOneToSix);
 }
 
+// Debevec has one space character between the scale and the floats; programs write more, and floats may begin with
+// bytes that look like it.
+TEST(PfmTest, WhateverEndsTheHeaderTheFloatsAreFound) {
+    const TemporaryFolder folder;
+    std::string blank = kLittleEndianSamples;
+    for (const std::string start : {"", "\n", "\r\n", " \n", "\t", "\n\n"}) {
+        std::copy(start.begin(), start.end(), blank.begin());
+        const Picture expected = ReadPicture(folder.Put("p", ToBytes("Pf\n2 3\n-1.0\n" + blank)));
+        for (const std::string end : {"\n", " ", "\r", "\r\n", " \n", "  \r\n", "\t\n", "  "})
+            ExpectSame(ReadPicture(folder.Put("p", ToBytes("Pf\n2 3\n-1.0" + end + blank))), expected);
+    }
+    for (const std::string end : {"\n", "\r\n", " \n", " \r\n"})
+        ExpectSame(ReadPicture(folder.Put("p", ToBytes("Pf\r\n2 3\r\n-1.0" + end + kLittleEndianSamples + "more"))),
+                   kOneToSix);
+}
+
 TEST(PfmTest, HeadersThatSayNothingAreRefused) {
     const TemporaryFolder folder;
     const std::string path = folder.Path("p");

@@ -1,5 +1,7 @@
 #include <png.h>
 
+#include <optional>
+
 #include "tests/files/support.h"
 
 namespace boxcar::test {
@@ -41,7 +43,7 @@ TEST(PngTest, ColoursThatThePaletteLacksAreBlack) {
         PngHeader(2, 1, 8, PNG_COLOR_TYPE_PALETTE),
         {"PLTE", {10, 20, 30}},
         // zlib, one stored block: filter 0, index 0, index 200
-        {"IDAT", {0x78, 0x01, 1, 3, 0, 0xfc, 0xff, 0, 0, 200, 0, 0, 0, 0}},
+        {"IDAT", {0x78, 0x01, 1, 3, 0, 0xfc, 0xff, 0, 0, 200, 0, 0xcb, 0, 0xc9}},
         {"IEND", {}},
     };
     ExpectSame(Read(MakePng(chunks)), {2, 1, 3, SampleType::Unorm8, Over255({10, 20, 30, 0, 0, 0})});
@@ -89,6 +91,97 @@ TEST(PngTest, WritesTheBitsAndTheColourTypeThatThePictureHas) {
             EXPECT_EQ(file[25], kColorTypes[channels - 1]);
         }
     }
+}
+
+Bytes Plain(int colorType = PNG_COLOR_TYPE_RGB) {
+    constexpr Size kSize = {12, 19};
+    Bytes codes;
+    const size_t channels = colorType == PNG_COLOR_TYPE_RGB ? 3 : 1;
+    for (uint32_t i = 0; i < kSize.width * kSize.height * channels; ++i)
+        codes.push_back(static_cast<uint8_t>(i * 2654435761u >> 24));
+    return MakePng(PngFile{kSize, colorType, 8, codes});
+}
+
+Bytes BigEndianWords(const std::vector<uint32_t>& words) {
+    Bytes bytes;
+    for (const uint32_t word : words)
+        for (int shift = 24; shift >= 0; shift -= 8)
+            bytes.push_back(static_cast<uint8_t>(word >> shift & 255));
+    return bytes;
+}
+
+const PngChunk kSrgb = {"sRGB", {0}};
+const PngChunk kLinearGamma = {"gAMA", BigEndianWords({100000})};
+// Display P3: SMPTE EG 432-1
+const std::vector<uint32_t> kP3 = {31270, 32900, 68000, 32000, 26500, 69000, 15000, 6000};
+const Primaries kP3Primaries = {0.68f, 0.32f, 0.265f, 0.69f, 0.15f, 0.06f, 0.3127f, 0.329f};
+
+TEST(PngTest, IsTurnedUprightAsExifSaysWhereverItStands) {
+    const Picture stored = Read(Plain());
+    for (const bool atEnd : {false, true})
+        for (uint8_t orientation = 1; orientation <= 8; ++orientation) {
+            const PngChunk chunk = {"eXIf", TiffOfOrientation(orientation, orientation % 2 == 0)};
+            ExpectTurned(Read(WithChunk(Plain(), chunk, atEnd)), stored, orientation);
+        }
+}
+
+TEST(PngTest, GammaIsKeptBesideTheCodes) {
+    const Picture plain = Read(Plain());
+    const Picture linear = Read(WithChunk(Plain(), kLinearGamma));
+    ExpectSame(linear, plain);
+    EXPECT_EQ(linear.colorSpace.gamma, 1.0);
+    EXPECT_EQ(plain.colorSpace.gamma, 0.0);
+    for (const uint32_t srgbs : {45455u, 45450u, 45454u, 45460u})
+        EXPECT_EQ(Read(WithChunk(Plain(), {"gAMA", BigEndianWords({srgbs})})).colorSpace.gamma, 0.0);
+    EXPECT_EQ(Read(WithChunk(Plain(), {"gAMA", BigEndianWords({55556})})).colorSpace.gamma, 0.55556);
+}
+
+TEST(PngTest, PrimariesAreKeptWhereThereAreColors) {
+    const PngChunk chunk = {"cHRM", BigEndianWords(kP3)};
+    EXPECT_EQ(Read(WithChunk(Plain(), chunk)).colorSpace.primaries, kP3Primaries);
+    EXPECT_EQ(Read(WithChunk(Plain(PNG_COLOR_TYPE_GRAY), chunk)).colorSpace.primaries, std::nullopt);
+    const PngChunk srgbs = {"cHRM", BigEndianWords({31270, 32900, 64000, 33000, 30000, 60000, 15000, 6000})};
+    EXPECT_EQ(Read(WithChunk(Plain(), srgbs)).colorSpace.primaries, std::nullopt);
+}
+
+TEST(PngTest, AProfileComesBeforeGammaAndPrimariesAndSoDoesSrgb) {
+    const Bytes tagged = WithChunk(WithChunk(Plain(), kLinearGamma), {"cHRM", BigEndianWords(kP3)});
+    const Bytes profile = MakeProfile("RGB ", 5000);
+    const Picture profiled = Read(WithChunk(tagged, ProfileChunk(profile)));
+    EXPECT_EQ(profiled.colorSpace.iccProfile, profile);
+    const Picture srgb = Read(WithChunk(tagged, kSrgb));
+    for (const Picture& picture : {profiled, srgb}) {
+        EXPECT_EQ(picture.colorSpace.gamma, 0.0);
+        EXPECT_EQ(picture.colorSpace.primaries, std::nullopt);
+        EXPECT_TRUE(picture.notes.empty());
+    }
+    EXPECT_TRUE(srgb.colorSpace.iccProfile.empty());
+}
+
+TEST(PngTest, ColorSpacesComeBackAsTheyWereWritten) {
+    const TemporaryFolder folder;
+    for (const ColorSpace& space :
+         {ColorSpace{0.55, {}, {}}, ColorSpace{0, kP3Primaries, {}}, ColorSpace{1, kP3Primaries, {}},
+          ColorSpace{0, {}, MakeProfile("RGB ", 300'000)}}) {
+        Picture picture = PatternPicture({3, 2}, 4, SampleType::Unorm8);
+        picture.colorSpace = space;
+        WritePicture(picture, folder.Path("p.png"), FileFormat::Png, SampleType::Unorm8);
+        const Picture read = ReadPicture(folder.Path("p.png"));
+        ExpectSame(read, picture);
+        EXPECT_EQ(read.colorSpace.gamma, space.gamma);
+        EXPECT_EQ(read.colorSpace.primaries, space.primaries);
+        EXPECT_EQ(read.colorSpace.iccProfile, space.iccProfile);
+    }
+}
+
+TEST(PngTest, WhatIsNotUsedIsANote) {
+    EXPECT_EQ(Read(WithChunk(Plain(), {"cICP", {9, 16, 0, 1}})).notes,
+              std::vector<std::string>{"its cICP chunk (primaries 9, transfer 16) is not used"});
+    EXPECT_TRUE(Read(WithChunk(Plain(), {"cICP", {1, 13, 0, 1}})).notes.empty());
+    Bytes damaged = MakeProfile("RGB ");
+    damaged[36] = 'x';
+    EXPECT_EQ(Read(WithChunk(Plain(), ProfileChunk(damaged))).notes,
+              std::vector<std::string>{"its ICC profile is damaged and left out"});
 }
 
 }  // namespace

@@ -7,8 +7,10 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "samples/files/bytes.h"
@@ -84,16 +86,37 @@ struct PngChunk {
     Bytes data;
 };
 Bytes MakePng(const std::vector<PngChunk>& chunks);
+// `png` with a chunk right after its header, or right before its end.
+Bytes WithChunk(ByteView png, const PngChunk& chunk, bool atEnd = false);
+PngChunk ProfileChunk(const Bytes& profile);  // iCCP
 PngChunk PngHeader(uint32_t width, uint32_t height, uint8_t bits, uint8_t colorType);
 
 struct JpegFile {
     Size size;
-    int channels;  // 1 grey, 3 RGB, 4 CMYK as Adobe writes it (inverted)
+    int channels;  // 1 grey, 3 RGB, 4 CMYK, with Adobe's marker (inverted) unless that is left out
     Bytes codes;
     bool progressive = false;
     int chromaStep = 1;  // 2: 4:2:0
+    bool arithmetic = false;
+    int colorSpace = 0;  // as which it is stored, J_COLOR_SPACE; 0: as the library likes
+    bool adobeMarker = true;
+    bool componentScans = false;  // sequential: a scan for each component
+    Bytes profile = {};           // ICC
 };
 Bytes MakeJpeg(const JpegFile& jpeg);
+
+// An ICC profile that libpng takes: a header without tags, and then anything. space: "RGB ", "GRAY" or "CMYK".
+Bytes MakeProfile(const std::string& space, size_t bytes = 300);
+
+// The TIFF structure that EXIF data are, with an orientation; bigEndian is its byte order.
+Bytes TiffOfOrientation(uint8_t orientation, bool bigEndian);
+
+// Where the texel that is seen at (x, y) lies in a file of that orientation, for pictures of `stored` size: column
+// and row.
+std::pair<uint32_t, uint32_t> ColumnAndRow(int orientation, Size stored, uint32_t x, uint32_t y);
+
+// `upright` is `stored` turned as the orientation says.
+void ExpectTurned(const Picture& upright, const Picture& stored, int orientation);
 
 // `jpeg` with an EXIF segment in front that holds the orientation; bigEndian is its byte order.
 Bytes WithOrientation(ByteView jpeg, uint8_t orientation, bool bigEndian);
@@ -111,8 +134,16 @@ struct ExrFile {
     int minX = 0;         // of the data window
     int minY = 0;
     bool tiled = false;
+    std::array<int, 4> display = {0, 0, -1, -1};  // the window's first and last texel, x y x y; as the data if empty
 };
 Bytes MakeExr(const ExrFile& exr);
+
+// A file of parts by name, with a channel for each letter; the samples of part i are i + 1.
+Bytes MakePartsExr(const std::vector<std::pair<std::string, std::string>>& namesAndChannels);
+
+// Luminance and chroma, subsampled by the library; channels: 3, or 4 with alpha.
+Bytes MakeChromaExr(Size size, uint32_t channels,
+                    const std::function<std::array<float, 4>(uint32_t x, uint32_t y)>& colorAt);
 
 // A file of RGBE texels, run-length packed as Radiance does where `packed`.
 Bytes MakeHdr(Size size, const std::vector<std::array<uint8_t, 4>>& texels, bool packed);
