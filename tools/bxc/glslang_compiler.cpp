@@ -8,6 +8,7 @@
 
 #include "tools/bxc/compiler.h"
 #include "tools/bxc/glslang_log.h"
+#include "tools/bxc/prelude.h"
 
 namespace boxcar {
 namespace {
@@ -64,6 +65,9 @@ public:
         return static_cast<EShMessages>(messages);
     }
 
+    // Adds a text before the shader, which has no lines in its messages.
+    void AddPrelude(const std::string& text) { m_preamble += text; }
+
     void Prepare(glslang::TShader& shader) const {
         shader.setStringsWithLengthsAndNames(&m_text, &m_length, &m_name, 1);
         shader.setPreamble(m_preamble.c_str());
@@ -110,9 +114,10 @@ public:
             diagnostics.push_back({{options.file, 0, 0}, Severity::Error, error});
             return result;
         }
-        const Request request(options, *file);
+        Request request(options, *file);
         Includer includer(source);
         result.preprocessed = request.Preprocess(includer);
+        request.AddPrelude(MakePrelude(options, Outline(result.preprocessed, options.file, source), source));
 
         glslang::TShader shader(request.Stage());
         request.Prepare(shader);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <sstream>
@@ -37,6 +38,30 @@ std::optional<SourcePlace> CutPlace(std::string_view& text) {
         return place;
     }
     return std::nullopt;
+}
+
+// True if an attribute that means nothing to Vulkan stands in the text: it steers Direct3D or its optimizer.
+bool HasDirect3dAttribute(std::string_view text) {
+    constexpr std::string_view kNames[] = {"rootsignature", "shader",  "allow_uav_condition", "fastopt", "call",
+                                           "forcecase",     "isolate", "ifall",               "ifany",   "predicate"};
+    std::string word;
+    for (const char c : text) {
+        if (IsWordChar(c)) {
+            word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+            continue;
+        }
+        if (std::ranges::find(kNames, word) != std::end(kNames)) return true;
+        word.clear();
+    }
+    return false;
+}
+
+// A warning that there is nothing to do about:
+//   'RootSignature' : unrecognized attribute
+//   '' : attribute does not apply to a loop
+bool IsIdle(std::string_view message, std::string_view sourceLine) {
+    if (message.ends_with(": unrecognized attribute")) return HasDirect3dAttribute(message);
+    return message.starts_with("'' : attribute does not apply to a ") && HasDirect3dAttribute(sourceLine);
 }
 
 // "'token' : message", as glslang words it -> what bxc says. The column is that of the token.
@@ -96,6 +121,9 @@ void AppendGlslangLog(const std::string& log, const std::string& mainFile, const
         if (text.starts_with("WARNING: ") || text.starts_with("ERROR: ")) CutAt(text, ": ");
         if (const auto place = CutPlace(text)) diagnostic.place = *place;
         if (text.ends_with(" compilation errors.  No code generated.") && HasErrors(diagnostics)) continue;
+        if (diagnostic.severity == Severity::Warning &&
+            IsIdle(text, source.Line(diagnostic.place.file, diagnostic.place.line)))
+            continue;
         ReadMessage(text, source, diagnostic);
         if (std::ranges::find(diagnostics, diagnostic) == diagnostics.end())
             diagnostics.push_back(std::move(diagnostic));

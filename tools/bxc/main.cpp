@@ -15,6 +15,7 @@
 #include "tools/bxc/optimize.h"
 #include "tools/bxc/options.h"
 #include "tools/bxc/reflect.h"
+#include "tools/bxc/repair.h"
 #include "tools/bxc/report.h"
 #include "tools/bxc/rules.h"
 #include "tools/bxc/source.h"
@@ -28,7 +29,8 @@ namespace {
 
 // From text to what the rules look at. Ends early where there are errors, or no entry point.
 RuleSubject RunFrontEnd(Compiler& compiler, const CompileOptions& options, Source& source, Diagnostics& diagnostics) {
-    const CompiledShader compiled = compiler.Compile(options, source, diagnostics);
+    CompiledShader compiled = compiler.Compile(options, source, diagnostics);
+    compiled.spirv = Repair(compiled.spirv, options.stage);
     RuleSubject subject{options, compiled, Outline(compiled.preprocessed, options.file, source), {}, {}};
     const std::vector<uint32_t>& spirv = subject.compiled.spirv;
     if (!subject.compiled.hasEntry || HasErrors(diagnostics)) return subject;

@@ -1,0 +1,182 @@
+#include "tools/bxc/repair.h"
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <spirv.hpp>
+#include <utility>
+
+#include "tools/bxc/spirv_module.h"
+
+namespace boxcar {
+namespace {
+
+// Operands of an atomic instruction: its type, result and pointer, and where the values start that it takes.
+enum AtomicOperand : size_t { kType = 0, kResult = 1, kPointer = 2 };
+
+size_t FirstValueOf(const SpirvInstruction& instruction) {
+    switch (instruction.opcode) {
+        case spv::OpAtomicExchange:
+        case spv::OpAtomicIAdd:
+        case spv::OpAtomicISub:
+        case spv::OpAtomicSMin:
+        case spv::OpAtomicUMin:
+        case spv::OpAtomicSMax:
+        case spv::OpAtomicUMax:
+        case spv::OpAtomicAnd:
+        case spv::OpAtomicOr:
+        case spv::OpAtomicXor: return 5;
+        case spv::OpAtomicCompareExchange: return 6;
+        default: return 0;
+    }
+}
+
+uint16_t WithSign(uint16_t opcode, bool isSigned) {
+    switch (opcode) {
+        case spv::OpAtomicSMin:
+        case spv::OpAtomicUMin: return isSigned ? spv::OpAtomicSMin : spv::OpAtomicUMin;
+        case spv::OpAtomicSMax:
+        case spv::OpAtomicUMax: return isSigned ? spv::OpAtomicSMax : spv::OpAtomicUMax;
+        default: return opcode;
+    }
+}
+
+class AtomicRepair {
+public:
+    explicit AtomicRepair(SpirvModule& module) : m_module(module), m_types(module) {}
+
+    void Run() {
+        for (const SpirvInstruction& instruction : m_module.instructions) {
+            const size_t firstValue = FirstValueOf(instruction);
+            const bool isWhole = firstValue > 0 && instruction.operands.size() > firstValue;
+            const uint32_t memory =
+                isWhole ? m_types.PointeeOf(m_types.TypeOf(instruction.operands[kPointer])) : uint32_t{0};
+            if (m_types.IsInt(memory, false) || m_types.IsInt(memory, true))
+                Append(instruction, firstValue, memory);
+            else
+                m_output.push_back(instruction);
+        }
+        const auto isFunction = [](const SpirvInstruction& each) { return each.opcode == spv::OpFunction; };
+        m_output.insert(std::ranges::find_if(m_output, isFunction), m_constants.begin(), m_constants.end());
+        m_module.instructions = std::move(m_output);
+    }
+
+private:
+    void Append(SpirvInstruction atomic, size_t firstValue, uint32_t memory) {
+        atomic.opcode = WithSign(atomic.opcode, m_types.IsInt(memory, true));
+        for (size_t i = firstValue; i < atomic.operands.size(); ++i)
+            atomic.operands[i] = Converted(atomic.operands[i], memory);
+
+        const uint32_t type = atomic.operands[kType], result = atomic.operands[kResult];
+        if (type == memory) {
+            m_output.push_back(std::move(atomic));
+            return;
+        }
+        atomic.operands[kType] = memory;
+        atomic.operands[kResult] = m_module.NewId();
+        const uint32_t before = atomic.operands[kResult];
+        m_output.push_back(std::move(atomic));
+        m_output.push_back(FromInt(type, result, before, memory));
+    }
+
+    // What makes `result`, of another type, of an int or uint.
+    SpirvInstruction FromInt(uint32_t type, uint32_t result, uint32_t value, uint32_t from) {
+        if (m_types.Is(type, spv::OpTypeBool))
+            return {spv::OpINotEqual, {type, result, value, Constant(from, 0)}};
+        if (m_types.Is(type, spv::OpTypeFloat) && m_types.IsInt(from, true))
+            return {spv::OpConvertSToF, {type, result, value}};
+        if (m_types.Is(type, spv::OpTypeFloat)) return {spv::OpConvertUToF, {type, result, value}};
+        return {spv::OpBitcast, {type, result, value}};
+    }
+
+    // The value as an int or uint, by HLSL's implicit conversion.
+    uint32_t Converted(uint32_t value, uint32_t to) {
+        const uint32_t from = m_types.TypeOf(value);
+        if (from == to) return value;
+        const uint32_t result = m_module.NewId();
+        if (m_types.Is(from, spv::OpTypeInt))
+            m_output.push_back({spv::OpBitcast, {to, result, value}});
+        else if (m_types.Is(from, spv::OpTypeFloat))
+            m_output.push_back(
+                {static_cast<uint16_t>(m_types.IsInt(to, true) ? spv::OpConvertFToS : spv::OpConvertFToU),
+                 {to, result, value}});
+        else if (m_types.Is(from, spv::OpTypeBool))
+            m_output.push_back({spv::OpSelect, {to, result, value, Constant(to, 1), Constant(to, 0)}});
+        else
+            return value;  // what it is, is for the validator to refuse
+        return result;
+    }
+
+    uint32_t Constant(uint32_t type, uint32_t value) {
+        const uint32_t id = m_module.NewId();
+        m_constants.push_back({spv::OpConstant, {type, id, value}});
+        return id;
+    }
+
+    SpirvModule& m_module;
+    const SpirvTypes m_types;
+    std::vector<SpirvInstruction> m_constants, m_output;
+};
+
+bool IsPositionSemantic(std::string text) {
+    std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::toupper(c); });
+    return text == "SV_POSITION" || text == "SV_POSITION0";
+}
+
+// A variable of the stage's interface, and what it is decorated with.
+struct InterfaceVariable {
+    spv::StorageClass storage = spv::StorageClassMax;
+    uint32_t type = 0;  // without the pointer
+    bool isPosition = false, isBuiltIn = false;
+};
+
+// The built-in that SV_Position is there, if it is one.
+std::optional<spv::BuiltIn> PositionOf(ShaderStage stage, spv::StorageClass storage) {
+    const bool isPixel = stage == ShaderStage::Pixel;
+    if (storage == spv::StorageClassOutput && !isPixel) return spv::BuiltInPosition;
+    if (storage == spv::StorageClassInput && isPixel) return spv::BuiltInFragCoord;
+    return std::nullopt;
+}
+
+void RepairPositions(SpirvModule& module, ShaderStage stage) {
+    const SpirvTypes types(module);
+    std::map<uint32_t, InterfaceVariable> variables;
+    std::map<uint32_t, uint32_t*> locations;
+    for (SpirvInstruction& instruction : module.instructions) {
+        std::vector<uint32_t>& operands = instruction.operands;
+        if (instruction.opcode == spv::OpVariable) {
+            variables[operands.at(1)].storage = static_cast<spv::StorageClass>(operands.at(2));
+            variables[operands.at(1)].type = types.PointeeOf(operands.at(0));
+        } else if (instruction.opcode == spv::OpDecorateString &&
+                   operands.at(1) == spv::DecorationHlslSemanticGOOGLE) {
+            variables[operands.at(0)].isPosition = IsPositionSemantic(instruction.Text(2));
+        } else if (instruction.opcode == spv::OpDecorate && operands.at(1) == spv::DecorationBuiltIn) {
+            variables[operands.at(0)].isBuiltIn = true;
+        } else if (instruction.opcode == spv::OpDecorate && operands.at(1) == spv::DecorationLocation) {
+            locations[operands.at(0)] = operands.data();
+        }
+    }
+    for (const auto& [id, variable] : variables) {
+        const std::optional<spv::BuiltIn> builtIn = PositionOf(stage, variable.storage);
+        if (!builtIn || !variable.isPosition || variable.isBuiltIn || !types.IsFloat4(variable.type)) continue;
+        const auto own = locations.find(id);
+        if (own == locations.end()) continue;
+        const uint32_t freed = own->second[2];
+        own->second[1] = spv::DecorationBuiltIn;
+        own->second[2] = *builtIn;
+        locations.erase(own);
+        for (const auto& [other, operands] : locations)
+            if (variables[other].storage == variable.storage && operands[2] > freed) --operands[2];
+    }
+}
+
+}  // namespace
+
+std::vector<uint32_t> Repair(const std::vector<uint32_t>& spirv, ShaderStage stage) {
+    SpirvModule module(spirv);
+    AtomicRepair(module).Run();
+    RepairPositions(module, stage);
+    return module.Words();
+}
+
+}  // namespace boxcar
