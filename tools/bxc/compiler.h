@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "tools/bxc/diagnostic.h"
-#include "tools/bxc/options.h"
+#include "tools/bxc/compile_options.h"
 #include "tools/bxc/source.h"
 
 namespace boxcar {

@@ -1,6 +1,6 @@
 // bxc: HLSL text -> SPIR-V that is proven valid, its layout and its dependencies. CompileShader() is the pipeline.
 //
-// Non-goals: a preprocessor, linker or optimiser of its own; geometry, hull and ray stages; Direct3D bytecode.
+// Non-goals: a preprocessor, linker or optimiser of its own; ray and mesh stages; Direct3D bytecode.
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -10,6 +10,7 @@
 #include <set>
 
 #include "tools/bxc/compiler.h"
+#include "tools/bxc/contraction.h"
 #include "tools/bxc/embed.h"
 #include "tools/bxc/manifest.h"
 #include "tools/bxc/optimize.h"
@@ -31,6 +32,7 @@ namespace {
 RuleSubject RunFrontEnd(Compiler& compiler, const CompileOptions& options, Source& source, Diagnostics& diagnostics) {
     CompiledShader compiled = compiler.Compile(options, source, diagnostics);
     compiled.spirv = Repair(compiled.spirv, options.stage);
+    if (options.strictMath) compiled.spirv = ForbidContraction(compiled.spirv);
     RuleSubject subject{options, compiled, Outline(compiled.preprocessed, options.file, source), {}, {}};
     const std::vector<uint32_t>& spirv = subject.compiled.spirv;
     if (!subject.compiled.hasEntry || HasErrors(diagnostics)) return subject;
@@ -43,12 +45,12 @@ RuleSubject RunFrontEnd(Compiler& compiler, const CompileOptions& options, Sourc
     return subject;
 }
 
-// The vertex shader that --after names, with the macros and folders of the pixel shader.
+// The shader that --after names, with the macros and folders of the one that it feeds.
 CompileOptions PartnerOptions(const CompileOptions& options) {
     CompileOptions partner = options;
     partner.file = options.after;
-    partner.stage = ShaderStage::Vertex;
-    partner.entry = "main";
+    partner.stage = options.afterStage;
+    partner.entry = options.afterEntry;
     return partner;
 }
 
@@ -127,7 +129,7 @@ void WriteBuildDepfile(const std::vector<ShaderJob>& jobs, const Options& option
 bool Build(const Options& options) {
     Report report;
     Diagnostics diagnostics;
-    const std::vector<ShaderJob> jobs = ReadManifest(options.manifest, options.outputDir, diagnostics);
+    const std::vector<ShaderJob> jobs = ReadManifest(options.manifest, options.outputDir, options.compile, diagnostics);
     report.Add(diagnostics, "");
     if (HasErrors(diagnostics)) return false;
 

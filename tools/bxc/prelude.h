@@ -10,7 +10,7 @@
 
 #include <string>
 
-#include "tools/bxc/options.h"
+#include "tools/bxc/compile_options.h"
 #include "tools/bxc/outline.h"
 #include "tools/bxc/source.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tools/bxc/diagnostic.h"
-#include "tools/bxc/options.h"
+#include "tools/bxc/compile_options.h"
 #include "tools/layout/shader_layout.h"
 
 namespace boxcar {

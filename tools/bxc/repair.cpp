@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <optional>
+#include <set>
 #include <spirv.hpp>
 #include <utility>
 
@@ -170,12 +172,24 @@ void RepairPositions(SpirvModule& module, ShaderStage stage) {
     }
 }
 
+void RepairPushConstants(SpirvModule& module) {
+    std::set<uint32_t> pushConstants;
+    for (const SpirvInstruction& each : module.instructions)
+        if (each.opcode == spv::OpVariable && each.operands.at(2) == spv::StorageClassPushConstant)
+            pushConstants.insert(each.operands.at(1));
+    std::erase_if(module.instructions, [&](const SpirvInstruction& each) {
+        if (each.opcode != spv::OpDecorate || !pushConstants.contains(each.operands.at(0))) return false;
+        return each.operands.at(1) == spv::DecorationBinding || each.operands.at(1) == spv::DecorationDescriptorSet;
+    });
+}
+
 }  // namespace
 
 std::vector<uint32_t> Repair(const std::vector<uint32_t>& spirv, ShaderStage stage) {
     SpirvModule module(spirv);
     AtomicRepair(module).Run();
     RepairPositions(module, stage);
+    RepairPushConstants(module);
     return module.Words();
 }
 

@@ -5,6 +5,7 @@
 //              minimum is signed goes by that type too.
 //   Positions  SV_Position of an inout parameter, and SV_Position0 anywhere, is an ordinary variable. It becomes the
 //              position (in a pixel shader that reads it, the coordinate), and gives its location up.
+//   Bindings   Push constants have none, though [[vk::push_constant]] ConstantBuffer<S> has a register.
 #pragma once
 
 #include <cstdint>
