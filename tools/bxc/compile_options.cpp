@@ -36,9 +36,10 @@ ShaderStage ParseProfile(std::string_view flag, const std::string& profile) {
             if (stage == name) return value;
     for (const char* const other : {"lib", "as", "ms"})
         if (profile == other || profile.starts_with(fmt::format("{}_", other)))
-            throw UsageError("'{} {}': ray tracing, mesh and amplification shaders are not compiled; expected vs, hs, "
-                             "ds, gs, ps or cs",
-                             flag, profile);
+            throw UsageError(
+                "'{} {}': ray tracing, mesh and amplification shaders are not compiled; expected vs, hs, "
+                "ds, gs, ps or cs",
+                flag, profile);
     throw UsageError("'{} {}': expected vs, hs, ds, gs, ps or cs, with or without a version, as in ps_5_0", flag,
                      profile);
 }
@@ -76,9 +77,10 @@ void CheckTarget(const std::string& target) {
     constexpr const char* kOlder[] = {"vulkan1.0", "universal1.0", "universal1.1", "universal1.2"};
     const bool isTarget = target.starts_with("vulkan1.") || target.starts_with("universal1.");
     if (!isTarget || std::ranges::find(kOlder, target) != std::end(kOlder))
-        throw UsageError("'-fspv-target-env={}': the SPIR-V is version 1.3, for Vulkan 1.1 and later: expected "
-                         "vulkan1.1 or later",
-                         target);
+        throw UsageError(
+            "'-fspv-target-env={}': the SPIR-V is version 1.3, for Vulkan 1.1 and later: expected "
+            "vulkan1.1 or later",
+            target);
 }
 
 std::string ParseVariable(const std::string& text) {
@@ -87,12 +89,39 @@ std::string ParseVariable(const std::string& text) {
 }
 
 // What cannot change the SPIR-V: containers and their sections, hints, files that bxc does not need.
-constexpr const char* kIgnored[] = {
-    "-nologo", "-spirv", "-Ges", "-Gfa", "-Gfp", "-Gdp", "-Qstrip_reflect", "-Qstrip_debug", "-Qstrip_priv",
-    "-Qstrip_rootsignature", "-Qembed_debug", "-Qkeep_reflect_in_dxil", "-Zss", "-Zsb", "-Zs", "-Vd", "-Vi", "-Cc", "-Ni",
-    "-No", "-Lx", "-no-warnings", "-all_resources_bound", "-all-resources-bound", "-res_may_alias", "-res-may-alias",
-    "-enable_unbounded_descriptor_tables", "-flegacy-macro-expansion", "-flegacy-resource-reservation", "-fspv-reflect",
-    "-fvk-use-dx-layout", "-ffinite-math-only", "-fno-finite-math-only"};
+constexpr const char* kIgnored[] = {"-nologo",
+                                    "-spirv",
+                                    "-Ges",
+                                    "-Gfa",
+                                    "-Gfp",
+                                    "-Gdp",
+                                    "-Qstrip_reflect",
+                                    "-Qstrip_debug",
+                                    "-Qstrip_priv",
+                                    "-Qstrip_rootsignature",
+                                    "-Qembed_debug",
+                                    "-Qkeep_reflect_in_dxil",
+                                    "-Zss",
+                                    "-Zsb",
+                                    "-Zs",
+                                    "-Vd",
+                                    "-Vi",
+                                    "-Cc",
+                                    "-Ni",
+                                    "-No",
+                                    "-Lx",
+                                    "-no-warnings",
+                                    "-all_resources_bound",
+                                    "-all-resources-bound",
+                                    "-res_may_alias",
+                                    "-res-may-alias",
+                                    "-enable_unbounded_descriptor_tables",
+                                    "-flegacy-macro-expansion",
+                                    "-flegacy-resource-reservation",
+                                    "-fspv-reflect",
+                                    "-fvk-use-dx-layout",
+                                    "-ffinite-math-only",
+                                    "-fno-finite-math-only"};
 constexpr const char* kIgnoredWithValue[] = {"-fspv-extension", "-fdiagnostics-format"};
 
 struct Refusal {
@@ -206,9 +235,10 @@ void CheckCompileOptions(CompileOptions& options, bool hasProfile, std::span<con
         {ShaderStage::Domain, ShaderStage::Geometry}, {ShaderStage::Domain, ShaderStage::Pixel},
         {ShaderStage::Geometry, ShaderStage::Pixel}};
     if (std::ranges::find(kLinks, std::pair(options.afterStage, options.stage)) == std::end(kLinks))
-        throw UsageError("'--after {}': no {} shader comes after a {} shader; expected vs before hs, gs, ps; hs before "
-                         "ds; ds before gs, ps; gs before ps",
-                         options.after, ProfileOf(options.stage), ProfileOf(options.afterStage));
+        throw UsageError(
+            "'--after {}': no {} shader comes after a {} shader; expected vs before hs, gs, ps; hs before "
+            "ds; ds before gs, ps; gs before ps",
+            options.after, ProfileOf(options.stage), ProfileOf(options.afterStage));
 }
 
 CompileOptions ParseCompileOptions(std::span<const std::string> words, const CompileOptions& defaults) {

@@ -47,12 +47,12 @@ struct CompileOptions {
     bool strictMath = false;                 // -Gis: no product and sum become one
     bool native16Bit = false;                // -enable-16bit-types: half and min16float have 16 bits
     bool invertY = false;                    // -fvk-invert-y: the position's y is negated
-    bool dxPositionW = false;                // -fvk-use-dx-position-w: w of SV_Position in a pixel shader as in Direct3D
-    std::vector<RegisterShift> shifts;       // -fvk-{b,s,t,u}-shift; with one of them, what none names is shifted by 0
+    bool dxPositionW = false;           // -fvk-use-dx-position-w: w of SV_Position in a pixel shader as in Direct3D
+    std::vector<RegisterShift> shifts;  // -fvk-{b,s,t,u}-shift; with one of them, what none names is shifted by 0
 
-    std::string after;                              // --after: the shader that feeds this one, or ""
-    ShaderStage afterStage = ShaderStage::Vertex;   // --after-T; before a domain shader always hull
-    std::string afterEntry = "main";                // --after-E
+    std::string after;                             // --after: the shader that feeds this one, or ""
+    ShaderStage afterStage = ShaderStage::Vertex;  // --after-T; before a domain shader always hull
+    std::string afterEntry = "main";               // --after-E
 
     std::string output;        // -o, or ""
     std::string binary;        // -Fo: the same whatever it ends in, or ""

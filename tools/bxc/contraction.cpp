@@ -11,13 +11,20 @@ namespace boxcar {
 namespace {
 
 bool IsArithmetic(uint16_t opcode) {
-    constexpr spv::Op kOps[] = {spv::OpFNegate,           spv::OpFAdd,
-                                spv::OpFSub,              spv::OpFMul,
-                                spv::OpFDiv,              spv::OpFRem,
-                                spv::OpFMod,              spv::OpVectorTimesScalar,
-                                spv::OpMatrixTimesScalar, spv::OpVectorTimesMatrix,
-                                spv::OpMatrixTimesVector, spv::OpMatrixTimesMatrix,
-                                spv::OpOuterProduct,      spv::OpDot};
+    constexpr spv::Op kOps[] = {spv::OpFNegate,
+                                spv::OpFAdd,
+                                spv::OpFSub,
+                                spv::OpFMul,
+                                spv::OpFDiv,
+                                spv::OpFRem,
+                                spv::OpFMod,
+                                spv::OpVectorTimesScalar,
+                                spv::OpMatrixTimesScalar,
+                                spv::OpVectorTimesMatrix,
+                                spv::OpMatrixTimesVector,
+                                spv::OpMatrixTimesMatrix,
+                                spv::OpOuterProduct,
+                                spv::OpDot};
     return std::ranges::find(kOps, opcode) != std::end(kOps);
 }
 

@@ -24,8 +24,8 @@ std::optional<std::string> JoinedValue(const Flag& flag, std::string_view word) 
         word.substr(1).starts_with(flag.name.substr(1)))
         return std::string(word.substr(flag.name.size()));
     const bool takesEquals = flag.name.starts_with("--") || flag.name.starts_with("-f");
-    if (const size_t equals = word.find('=');
-        takesEquals && flag.valueCount == 1 && equals != std::string_view::npos && Names(flag, word.substr(0, equals)))
+    if (const size_t equals = word.find('='); takesEquals && flag.valueCount == 1 &&
+                                              equals != std::string_view::npos && Names(flag, word.substr(0, equals)))
         return std::string(word.substr(equals + 1));
     return std::nullopt;
 }

@@ -103,11 +103,13 @@ public:
     }
 
 private:
-    // A set's own shift goes before that of all. glslang takes a set's shift of 0 for none, so that "all" has to stand
-    // for the other sets one by one.
+    // A set's own shift goes before that of all. glslang takes a set's shift of 0 for none, so that "all" has to
+    // stand for the other sets one by one.
     void ShiftRegisters(glslang::TShader& shader) const {
-        constexpr std::pair<char, glslang::TResourceType> kClasses[] = {
-            {'b', glslang::EResUbo}, {'s', glslang::EResSampler}, {'t', glslang::EResTexture}, {'u', glslang::EResUav}};
+        constexpr std::pair<char, glslang::TResourceType> kClasses[] = {{'b', glslang::EResUbo},
+                                                                        {'s', glslang::EResSampler},
+                                                                        {'t', glslang::EResTexture},
+                                                                        {'u', glslang::EResUav}};
         constexpr int kMaxSets = 32;  // that "all" stands for beside sets of their own; drivers have no more
         for (const auto& [registerClass, type] : kClasses) {
             std::map<int, unsigned> shifts;  // by set

@@ -42,8 +42,9 @@ std::optional<SourcePlace> CutPlace(std::string_view& text) {
 
 // True if an attribute that means nothing to Vulkan stands in the text: it steers Direct3D or its optimizer.
 bool HasDirect3dAttribute(std::string_view text) {
-    constexpr std::string_view kNames[] = {"rootsignature", "shader",  "allow_uav_condition", "fastopt", "call",
-                                           "forcecase",     "isolate", "ifall",               "ifany",   "predicate"};
+    constexpr std::string_view kNames[] = {
+        "rootsignature", "shader",   "allow_uav_condition", "fastopt", "call", "forcecase", "isolate", "ifall",
+        "ifany",         "predicate"};
     std::string word;
     for (const char c : text) {
         if (IsWordChar(c)) {
@@ -67,6 +68,13 @@ bool IsIdle(std::string_view message, std::string_view sourceLine) {
 // "'token' : message", as glslang words it -> what bxc says. The column is that of the token.
 void ReadMessage(std::string_view message, const Source& source, Diagnostic& diagnostic) {
     std::string_view rest = message;
+    constexpr std::string_view kMissing = "Missing functionality: ";
+    if (message.starts_with(kMissing)) {
+        diagnostic.text =
+            fmt::format("the compiler cannot translate this, which is its fault and not the shader's: {}",
+                        message.substr(kMissing.size()));
+        return;
+    }
     const auto token = message.starts_with('\'') ? CutAt(rest, "' : ") : std::nullopt;
     if (!token) {
         diagnostic.text = message;

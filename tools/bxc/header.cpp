@@ -19,7 +19,8 @@ std::string CHeader(std::span<const uint32_t> spirv, const CompileOptions& optio
     constexpr size_t kBytesOfALine = 20;
     size_t count = 0;
     for (const std::byte byte : std::as_bytes(spirv))
-        text += fmt::format("{}0x{:02x},", count++ % kBytesOfALine == 0 ? "\n    " : " ", static_cast<unsigned>(byte));
+        text +=
+            fmt::format("{}0x{:02x},", count++ % kBytesOfALine == 0 ? "\n    " : " ", static_cast<unsigned>(byte));
     return text + "\n};\n";
 }
 

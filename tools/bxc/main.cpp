@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 
+#include "tools/bxc/blame.h"
 #include "tools/bxc/compiler.h"
 #include "tools/bxc/contraction.h"
 #include "tools/bxc/embed.h"
@@ -28,16 +29,39 @@
 namespace boxcar {
 namespace {
 
-// From text to what the rules look at. Ends early where there are errors, or no entry point.
-RuleSubject RunFrontEnd(Compiler& compiler, const CompileOptions& options, Source& source, Diagnostics& diagnostics) {
+// The compiler's SPIR-V, with what is known to be wrong in it put right.
+CompiledShader CompileAndRepair(Compiler& compiler, const CompileOptions& options, Source& source,
+                                Diagnostics& diagnostics) {
     CompiledShader compiled = compiler.Compile(options, source, diagnostics);
     compiled.spirv = Repair(compiled.spirv, options.stage);
     if (options.strictMath) compiled.spirv = ForbidContraction(compiled.spirv);
+    return compiled;
+}
+
+// The module of a step, of the same shader with source lines; empty if it comes to none.
+std::vector<uint32_t> WithLines(Compiler& compiler, CompileOptions options, Source& source, ValidationStep step) {
+    options.debugInfo = true;
+    Diagnostics untold;
+    std::vector<uint32_t> spirv = CompileAndRepair(compiler, options, source, untold).spirv;
+    if (step == ValidationStep::BeforeLegalization || spirv.empty()) return spirv;
+    spirv = Optimize(spirv, options.optimization, options.file, untold);
+    return StripSemantics(spirv, options.file, untold);
+}
+
+void Validate(Compiler& compiler, const std::vector<uint32_t>& spirv, ValidationStep step,
+              const CompileOptions& options, Source& source, Diagnostics& diagnostics) {
+    if (const auto fault = FindFault(spirv, step))
+        diagnostics.push_back(BlameCompiler(*fault, step, options, WithLines(compiler, options, source, step)));
+}
+
+// From text to what the rules look at. Ends early where there are errors, or no entry point.
+RuleSubject RunFrontEnd(Compiler& compiler, const CompileOptions& options, Source& source, Diagnostics& diagnostics) {
+    const CompiledShader compiled = CompileAndRepair(compiler, options, source, diagnostics);
     RuleSubject subject{options, compiled, Outline(compiled.preprocessed, options.file, source), {}, {}};
     const std::vector<uint32_t>& spirv = subject.compiled.spirv;
     if (!subject.compiled.hasEntry || HasErrors(diagnostics)) return subject;
 
-    Validate(spirv, ValidationStep::BeforeLegalization, options.file, diagnostics);
+    Validate(compiler, spirv, ValidationStep::BeforeLegalization, options, source, diagnostics);
     if (HasErrors(diagnostics)) return subject;
 
     subject.declared = Reflect(spirv, ReflectScope::All, options, diagnostics);
@@ -86,7 +110,7 @@ CompileResult CompileShader(Compiler& compiler, const ShaderJob& job) {
     spirv = StripSemantics(spirv, options.file, diagnostics);
     if (failed()) return result;
 
-    Validate(spirv, ValidationStep::Final, options.file, diagnostics);
+    Validate(compiler, spirv, ValidationStep::Final, options, source, diagnostics);
     if (failed()) return result;
 
     result.spirv = std::move(spirv);
@@ -129,7 +153,8 @@ void WriteBuildDepfile(const std::vector<ShaderJob>& jobs, const Options& option
 bool Build(const Options& options) {
     Report report;
     Diagnostics diagnostics;
-    const std::vector<ShaderJob> jobs = ReadManifest(options.manifest, options.outputDir, options.compile, diagnostics);
+    const std::vector<ShaderJob> jobs =
+        ReadManifest(options.manifest, options.outputDir, options.compile, diagnostics);
     report.Add(diagnostics, "");
     if (HasErrors(diagnostics)) return false;
 

@@ -15,8 +15,8 @@
 #include <string_view>
 #include <vector>
 
-#include "tools/bxc/diagnostic.h"
 #include "tools/bxc/compile_options.h"
+#include "tools/bxc/diagnostic.h"
 
 namespace boxcar {
 

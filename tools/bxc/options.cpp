@@ -10,10 +10,8 @@ using Values = std::span<const std::string>;
 
 std::vector<Flag> LimitFlags(Options& options) {
     return {
-        {"--timeout", 1,
-         [&](Values v) { options.timeoutSeconds = ParseNumber("--timeout", v[0], 1, 86400); }},
-        {"--max-memory", 1,
-         [&](Values v) { options.maxMemoryMib = ParseNumber("--max-memory", v[0], 64, 1 << 20); }},
+        {"--timeout", 1, [&](Values v) { options.timeoutSeconds = ParseNumber("--timeout", v[0], 1, 86400); }},
+        {"--max-memory", 1, [&](Values v) { options.maxMemoryMib = ParseNumber("--max-memory", v[0], 64, 1 << 20); }},
     };
 }
 
@@ -89,16 +87,15 @@ void ParseCompile(std::span<const std::string> words, Options& options) {
                                     compile.output == compile.file))
         throw UsageError("'-o {}': expected a name that ends in .spv and is not the shader's", compile.output);
     if (compile.output.empty()) compile.output = compile.binary;
-    if (compile.output.empty() && compile.header.empty())
-        throw UsageError("no output is given: expected -o OUT.spv");
+    if (compile.output.empty() && compile.header.empty()) throw UsageError("no output is given: expected -o OUT.spv");
     for (const std::string& name : {compile.output, compile.header})
         if (name == compile.file) throw UsageError("the output '{}' is the shader itself", name);
 }
 
 // Every flag of a shader that makes sense for all lines of a manifest.
 std::vector<Flag> CommonFlags(CompileOptions& options, bool& hasProfile) {
-    constexpr std::string_view kOfOneShader[] = {"-T",  "-E",  "--after", "--after-T",      "--after-E",
-                                                 "-o",  "-Fo", "-Fh",     "--outputSuffix", "-Vn"};
+    constexpr std::string_view kOfOneShader[] = {"-T", "-E",  "--after", "--after-T",      "--after-E",
+                                                 "-o", "-Fo", "-Fh",     "--outputSuffix", "-Vn"};
     std::vector<Flag> flags = CompileFlags(options, hasProfile);
     std::erase_if(flags, [&](const Flag& flag) {
         return std::ranges::find(kOfOneShader, flag.name) != std::end(kOfOneShader);

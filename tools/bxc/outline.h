@@ -27,7 +27,7 @@ public:
 
     // Every place that a name stands in.
     struct Mention {
-        bool isMethod = false;   // behind a dot
+        bool isMethod = false;     // behind a dot
         size_t argumentCount = 0;  // of a call, as a macro of that name would count them; 0: not a call, or none
     };
     std::vector<Mention> Mentions(std::string_view name) const;

@@ -22,7 +22,8 @@ std::vector<std::string> Alternatives(const std::string& word) {
     std::vector<std::string> words;
     for (size_t start = opening + 1; start <= closing;) {
         const size_t end = std::min(word.find(',', start), closing);
-        const std::string chosen = word.substr(0, opening) + word.substr(start, end - start) + word.substr(closing + 1);
+        const std::string chosen =
+            word.substr(0, opening) + word.substr(start, end - start) + word.substr(closing + 1);
         std::ranges::move(Alternatives(chosen), std::back_inserter(words));
         start = end + 1;
     }

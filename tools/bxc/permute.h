@@ -12,7 +12,7 @@ namespace boxcar {
 // One of the lines, and what tells its output from the others'.
 struct Permutation {
     std::vector<std::string> words;
-    std::string suffix;         // ".TAPS=2", of every word with braces but the file and the entry point
+    std::string suffix;           // ".TAPS=2", of every word with braces but the file and the entry point
     std::string entryFromBraces;  // the entry point if it had braces, else ""
 };
 

@@ -37,9 +37,10 @@ std::string Select() {
                                         VectorType(kByRank[yes], sizes[1]), VectorType(kByRank[no], sizes[2]));
     for (int rows = 2; rows <= 4; ++rows)
         for (int columns = 2; columns <= 4; ++columns)
-            text += fmt::format("float{0}x{1} select(bool c, float{0}x{1} t, float{0}x{1} f) "
-                                "{{ if (c) return t; return f; }} ",
-                                rows, columns);
+            text += fmt::format(
+                "float{0}x{1} select(bool c, float{0}x{1} t, float{0}x{1} f) "
+                "{{ if (c) return t; return f; }} ",
+                rows, columns);
     return text;
 }
 
@@ -47,8 +48,8 @@ std::string Logical(std::string_view name, std::string_view op) {
     std::string text;
     for (int size = 1; size <= 4; ++size)
         for (const std::vector<int>& sizes : Sizes(2, size))
-            text += fmt::format("{0} {1}({2} a, {3} b) {{ return ({0})a {4} ({0})b; }} ", VectorType("bool", size), name,
-                                VectorType("bool", sizes[0]), VectorType("bool", sizes[1]), op);
+            text += fmt::format("{0} {1}({2} a, {3} b) {{ return ({0})a {4} ({0})b; }} ", VectorType("bool", size),
+                                name, VectorType("bool", sizes[0]), VectorType("bool", sizes[1]), op);
     return text;
 }
 
@@ -79,9 +80,10 @@ std::string MakePrelude(const CompileOptions& options, const Outline& shader, co
         if (const std::string name = fmt::format("Store{}", size); CanBeMacro(name, 2, true, shader, source))
             text += fmt::format("#define {0}(address, value) {0}(address, (uint{1})(value))\n", name, size);
     if (CanBeMacro("InterlockedCompareStore", 3, false, shader, source))
-        text += "static uint bxcBefore;\n"
-                "#define InterlockedCompareStore(where, compare, value) "
-                "InterlockedCompareExchange(where, compare, value, bxcBefore)\n";
+        text +=
+            "static uint bxcBefore;\n"
+            "#define InterlockedCompareStore(where, compare, value) "
+            "InterlockedCompareExchange(where, compare, value, bxcBefore)\n";
     return text;
 }
 

@@ -83,8 +83,7 @@ private:
 
     // What makes `result`, of another type, of an int or uint.
     SpirvInstruction FromInt(uint32_t type, uint32_t result, uint32_t value, uint32_t from) {
-        if (m_types.Is(type, spv::OpTypeBool))
-            return {spv::OpINotEqual, {type, result, value, Constant(from, 0)}};
+        if (m_types.Is(type, spv::OpTypeBool)) return {spv::OpINotEqual, {type, result, value, Constant(from, 0)}};
         if (m_types.Is(type, spv::OpTypeFloat) && m_types.IsInt(from, true))
             return {spv::OpConvertSToF, {type, result, value}};
         if (m_types.Is(type, spv::OpTypeFloat)) return {spv::OpConvertUToF, {type, result, value}};
@@ -140,6 +139,11 @@ std::optional<spv::BuiltIn> PositionOf(ShaderStage stage, spv::StorageClass stor
     return std::nullopt;
 }
 
+// A float4, or the one element of an array, which UnwrapPositions takes out.
+bool CanBePosition(const SpirvTypes& types, uint32_t type) {
+    return types.IsFloat4(type) || (types.IsArrayOfOne(type) && types.IsFloat4(types.ElementOf(type)));
+}
+
 void RepairPositions(SpirvModule& module, ShaderStage stage) {
     const SpirvTypes types(module);
     std::map<uint32_t, InterfaceVariable> variables;
@@ -160,7 +164,7 @@ void RepairPositions(SpirvModule& module, ShaderStage stage) {
     }
     for (const auto& [id, variable] : variables) {
         const std::optional<spv::BuiltIn> builtIn = PositionOf(stage, variable.storage);
-        if (!builtIn || !variable.isPosition || variable.isBuiltIn || !types.IsFloat4(variable.type)) continue;
+        if (!builtIn || !variable.isPosition || variable.isBuiltIn || !CanBePosition(types, variable.type)) continue;
         const auto own = locations.find(id);
         if (own == locations.end()) continue;
         const uint32_t freed = own->second[2];
@@ -170,6 +174,61 @@ void RepairPositions(SpirvModule& module, ShaderStage stage) {
         for (const auto& [other, operands] : locations)
             if (variables[other].storage == variable.storage && operands[2] > freed) --operands[2];
     }
+}
+
+// The pointer type to a type in Output, made in front of `instructions` if there is none.
+uint32_t OutputPointerTo(uint32_t type, SpirvModule& module, std::vector<SpirvInstruction>& instructions) {
+    for (const SpirvInstruction& each : module.instructions)
+        if (each.opcode == spv::OpTypePointer && each.operands.at(1) == spv::StorageClassOutput &&
+            each.operands.at(2) == type)
+            return each.operands.at(0);
+    instructions.push_back({spv::OpTypePointer, {module.NewId(), spv::StorageClassOutput, type}});
+    return instructions.back().operands[0];
+}
+
+// The variables that are the position, and an array of one: their array's type.
+std::map<uint32_t, uint32_t> WrappedPositions(const SpirvModule& module, const SpirvTypes& types) {
+    std::map<uint32_t, uint32_t> wrapped;
+    for (const SpirvInstruction& each : module.instructions) {
+        if (each.opcode != spv::OpDecorate || each.operands.at(1) != spv::DecorationBuiltIn ||
+            each.operands.at(2) != spv::BuiltInPosition)
+            continue;
+        const uint32_t variable = each.operands.at(0), type = types.PointeeOf(types.TypeOf(variable));
+        if (types.IsArrayOfOne(type) && types.IsFloat4(types.ElementOf(type))) wrapped[variable] = type;
+    }
+    return wrapped;
+}
+
+void UnwrapPositions(SpirvModule& module) {
+    const SpirvTypes types(module);
+    const std::map<uint32_t, uint32_t> wrapped = WrappedPositions(module, types);
+    if (wrapped.empty()) return;
+    const auto arrayOf = [&](uint32_t variable) {
+        const auto found = wrapped.find(variable);
+        return found == wrapped.end() ? 0 : found->second;
+    };
+    std::vector<SpirvInstruction> output;
+    for (SpirvInstruction each : module.instructions) {
+        std::vector<uint32_t>& operands = each.operands;
+        const auto array = [&](size_t pointer) { return operands.size() > pointer ? arrayOf(operands[pointer]) : 0; };
+        const bool isVariable = each.opcode == spv::OpVariable && array(1) && operands[2] == spv::StorageClassOutput;
+        if (isVariable) {
+            operands[0] = OutputPointerTo(types.ElementOf(array(1)), module, output);
+        } else if (each.opcode == spv::OpAccessChain && array(2)) {
+            operands.erase(operands.begin() + 3);  // the index, which is 0
+            if (operands.size() == 3) each.opcode = spv::OpCopyObject;
+        } else if (each.opcode == spv::OpStore && array(0)) {
+            const uint32_t element = module.NewId();
+            output.push_back({spv::OpCompositeExtract, {types.ElementOf(array(0)), element, operands[1], 0}});
+            operands[1] = element;
+        } else if (each.opcode == spv::OpLoad && array(2)) {
+            const uint32_t element = module.NewId(), type = operands[0], result = operands[1];
+            output.push_back({spv::OpLoad, {types.ElementOf(array(2)), element, operands[2]}});
+            each = {spv::OpCompositeConstruct, {type, result, element}};
+        }
+        output.push_back(std::move(each));
+    }
+    module.instructions = std::move(output);
 }
 
 void RepairPushConstants(SpirvModule& module) {
@@ -189,6 +248,7 @@ std::vector<uint32_t> Repair(const std::vector<uint32_t>& spirv, ShaderStage sta
     SpirvModule module(spirv);
     AtomicRepair(module).Run();
     RepairPositions(module, stage);
+    if (stage == ShaderStage::Vertex || stage == ShaderStage::Domain) UnwrapPositions(module);
     RepairPushConstants(module);
     return module.Words();
 }

@@ -4,7 +4,8 @@
 //              an int, is added to a uint. They are converted to the type of the memory, as HLSL does; whether a
 //              minimum is signed goes by that type too.
 //   Positions  SV_Position of an inout parameter, and SV_Position0 anywhere, is an ordinary variable. It becomes the
-//              position (in a pixel shader that reads it, the coordinate), and gives its location up.
+//              position (in a pixel shader that reads it, the coordinate), and gives its location up. In an array of
+//              one, or a struct of such an array, it is taken out of the array.
 //   Bindings   Push constants have none, though [[vk::push_constant]] ConstantBuffer<S> has a register.
 #pragma once
 

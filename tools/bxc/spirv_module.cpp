@@ -58,6 +58,7 @@ SpirvTypes::SpirvTypes(const SpirvModule& module) {
         spv::HasResultAndType(static_cast<spv::Op>(instruction.opcode), &hasResult, &hasType);
         const std::vector<uint32_t>& operands = instruction.operands;
         if (hasResult && hasType && operands.size() >= 2) m_typeOfValue[operands[1]] = operands[0];
+        if (instruction.opcode == spv::OpConstant && operands.size() == 3) m_constants[operands[1]] = operands[2];
         if (hasResult && !hasType && !operands.empty()) m_types[operands[0]] = instruction;
     }
 }
@@ -92,6 +93,12 @@ bool SpirvTypes::IsInt(uint32_t type, bool isSigned) const {
 
 bool SpirvTypes::IsFloat4(uint32_t type) const {
     return Is(type, spv::OpTypeVector) && Find(type)->operands.at(2) == 4 && Is(ElementOf(type), spv::OpTypeFloat);
+}
+
+bool SpirvTypes::IsArrayOfOne(uint32_t type) const {
+    if (!Is(type, spv::OpTypeArray)) return false;
+    const auto length = m_constants.find(Find(type)->operands.at(2));
+    return length != m_constants.end() && length->second == 1;
 }
 
 }  // namespace boxcar

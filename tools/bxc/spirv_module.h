@@ -38,17 +38,18 @@ class SpirvTypes {
 public:
     explicit SpirvTypes(const SpirvModule& module);
 
-    uint32_t TypeOf(uint32_t value) const;      // 0: it has none
-    uint32_t PointeeOf(uint32_t type) const;    // 0: it is no pointer
-    uint32_t ElementOf(uint32_t type) const;    // of an array or a vector; 0: it is neither
+    uint32_t TypeOf(uint32_t value) const;    // 0: it has none
+    uint32_t PointeeOf(uint32_t type) const;  // 0: it is no pointer
+    uint32_t ElementOf(uint32_t type) const;  // of an array or a vector; 0: it is neither
     bool Is(uint32_t type, uint16_t opcode) const;
     bool IsInt(uint32_t type, bool isSigned) const;  // of 32 bits
     bool IsFloat4(uint32_t type) const;
+    bool IsArrayOfOne(uint32_t type) const;
 
 private:
     const SpirvInstruction* Find(uint32_t type) const;
 
-    std::map<uint32_t, uint32_t> m_typeOfValue;
+    std::map<uint32_t, uint32_t> m_typeOfValue, m_constants;
     std::map<uint32_t, SpirvInstruction> m_types;
 };
 
