@@ -249,7 +249,7 @@ TEST_F(CompileTest, SemanticsAreNotLeftInTheSpirv) {
 TEST_F(CompileTest, SameInputGivesTheSameBytesInEveryFolder) {
     for (const char* folder : {"one", "another/deeper"}) {
         Write(fmt::format("{}/hlsl/a.ps.hlsl", folder), kPlainPixelShader);
-        Write(fmt::format("{}/hlsl/s.cfg", folder), "a.ps.hlsl -T ps_5_0\na.ps.hlsl -T ps_5_0 -Zi -o debug.spv\n");
+        Write(fmt::format("{}/hlsl/s.cfg", folder), "a.ps.hlsl -T ps_5_0\na.ps.hlsl -T ps_5_0 -Zi -o debug\n");
         const RunResult run =
             Bxc({"build", fmt::format("{}/hlsl/s.cfg", folder), "-o", fmt::format("{}/out", folder)});
         ASSERT_EQ(run.exitCode, 0) << run.err;

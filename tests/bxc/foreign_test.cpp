@@ -126,7 +126,8 @@ TEST_F(ForeignTest, SelectAndOrAreThereWithHlsl2021Only) {
     Compile(kSelect, "ps", {"-HV", "2021", "-WX"});
     const RunResult run = Run(kSelect, "ps", {"-HV", "2018"});
     EXPECT_EQ(run.exitCode, 1);
-    EXPECT_TRUE(run.err.starts_with("shader.hlsl:2:18: error: 'and': no matching overloaded function found"))
+    EXPECT_NE(run.err.find("shader.hlsl:2:18: error: 'and': no matching overloaded function found"),
+              std::string::npos)
         << run.err;
 }
 
@@ -297,7 +298,7 @@ TEST_F(ForeignTest, RegistersShiftAsTheFlagsSay) {
                      "counts 1 202"}));
     const RunResult clash = Run(text, "cs", {"-fvk-t-shift", "1", "0"});
     EXPECT_TRUE(
-        clash.err.starts_with("shader.hlsl:3:19: error: 'source' is on binding 5 of set 0, where 'target' is"))
+        clash.err.starts_with("shader.hlsl:6:21: error: 'target' is on binding 5 of set 0, where 'source' is"))
         << clash.err;
 }
 
@@ -313,7 +314,7 @@ TEST_F(ForeignTest, HeaderHoldsTheBytesOfTheSpirv) {
     // As C and as C++, in which a module may be made of it without a copy: it is aligned as words are.
     Write("a.c", "#include \"inc/a.h\"\n_Static_assert(sizeof g_main % 4 == 0 && _Alignof(unsigned) == 4, \"\");\n");
     Write("a.cpp",
-          "#include <cstdint>\n#include \"inc/a.h\"\nstatic_assert(sizeof g_main % 4 == 0 && g_main[0] == 3);\n"
+          "#include <cstdint>\n#include \"inc/a.h\"\nstatic_assert(sizeof g_main % 4 == 0);\n"
           "int main() { return reinterpret_cast<std::uintptr_t>(g_main) % 4; }\n");
     for (const char* file : {"a.c", "a.cpp"}) {
         const RunResult run =
@@ -373,7 +374,7 @@ constexpr const char* kStages =
     "[domain(\"tri\")] [partitioning(\"integer\")] [outputtopology(\"triangle_cw\")] [outputcontrolpoints(3)]\n"
     "[patchconstantfunc(\"OfPatch\")] V HS(InputPatch<V, 3> v, uint i : SV_OutputControlPointID) { return v[i]; }\n"
     "[domain(\"tri\")] V DS(Patch c, float3 at : SV_DomainLocation, const OutputPatch<V, 3> v) {\n"
-    "    V o = v[0]; o.position = v[1].position * at.x; o.uv[0] = c.extra.xy; return o; }\n"
+    "    V o = v[0]; o.position = v[1].position * at.x; o.uv[0] += c.extra.xy; return o; }\n"
     "[maxvertexcount(3)] void GS(triangle V v[3], inout TriangleStream<V> stream) {\n"
     "    for (int i = 0; i < 3; ++i) stream.Append(v[i]); stream.RestartStrip(); }\n"
     "float4 PS(V v) : SV_Target0 { return v.uv[0].xyxy + v.uv[1].xyxy + v.key; }\n";
@@ -403,8 +404,6 @@ TEST_F(ForeignTest, EveryStageIsCompiledReflectedAndLinked) {
             EXPECT_EQ(layout.stage, each.stage);
             EXPECT_EQ(layout.writesPosition, each.writesPosition);
             EXPECT_FALSE(FindFault(Spirv(), ValidationStep::Final));
-            if (std::string(level) == "-O3" && each.stage == ShaderStage::Domain)
-                continue;  // what it does not use is gone
             EXPECT_EQ(Lines(layout.inputs), each.inputs);
             EXPECT_EQ(Lines(layout.outputs), each.outputs);
         }
@@ -454,9 +453,9 @@ TEST_F(ForeignTest, InvalidDeclarationIsTracedToItsFirstUse) {
     EXPECT_NE(run.err.find("use a float matrix, or an array of vectors (Matrix types can only be parameterized"),
               std::string::npos)
         << run.err;
-    EXPECT_TRUE(run.err.starts_with("shader.hlsl:8: error: invalid SPIR-V from the compiler in 'main'") ||
-                run.err.starts_with("shader.hlsl:2: error: invalid SPIR-V from the compiler in 'Sum'"))
-        << run.err;
+    const bool isInSum = run.err.starts_with("shader.hlsl:2: ") || run.err.starts_with("shader.hlsl:3: ") ||
+                         run.err.starts_with("shader.hlsl:4: ");
+    EXPECT_TRUE(isInSum && run.err.find("invalid SPIR-V from the compiler in 'Sum'") != std::string::npos) << run.err;
 }
 
 TEST_F(ForeignTest, ShaderMakesManifestIsBuiltWithTheFlagsOfItsCommandLine) {

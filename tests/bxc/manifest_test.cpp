@@ -51,7 +51,7 @@ TEST(ManifestTest, OutputIsNamedAfterFileAndEntryAndPermutation) {
     EXPECT_EQ(Outputs("a.hlsl -T ps -E Blur -D TAPS={2,16}"),
               (Names{"out/a.Blur.TAPS=2.spv", "out/a.Blur.TAPS=16.spv"}));
     EXPECT_EQ(Outputs("a.hlsl -T ps -o sub/b.spv"), Names{"out/sub/b.spv"});
-    EXPECT_EQ(Outputs("a.hlsl -T ps -o b.spv -DX={1,2}"), (Names{"out/b.X=1.spv", "out/b.X=2.spv"}));
+    EXPECT_EQ(Outputs("a.hlsl -T ps -o b -DX={1,2}"), (Names{"out/b.X=1.spv", "out/b.X=2.spv"}));
     EXPECT_EQ(Outputs("a.hlsl -T ps -Fo sub/b"), Names{"out/sub/b.spv"});
 }
 
@@ -126,6 +126,15 @@ TEST(ManifestTest, BracesMayStandInAnyWord) {
               (Names{"out/a.A=0.spv", "out/a.A=1.spv", "out/a.B=0.spv", "out/a.B=1.spv"}));
 }
 
+TEST(ManifestTest, OutputThatLinesShareOrThatEndsInASlashIsAFolder) {
+    EXPECT_EQ(Outputs("x/a.hlsl -T ps -o d\ny/b.hlsl -T ps -D M={1,2} -o d\n"),
+              (Names{"out/d/a.spv", "out/d/b.M=1.spv", "out/d/b.M=2.spv"}));
+    EXPECT_EQ(Outputs("x/a.hlsl -T ps -o d/\n"), Names{"out/d/a.spv"});
+    EXPECT_EQ(Outputs("x/a.hlsl -T ps -o d\ny/b.hlsl -T ps -o e\n"), (Names{"out/d.spv", "out/e.spv"}));
+    EXPECT_EQ(Errors("a.hlsl -T ps -o d.spv\nb.hlsl -T ps -o d.spv\n"),
+              Names{"hlsl/shaders.cfg:2: error: the output 'd.spv' is also written by line 1"});
+}
+
 TEST(ManifestTest, FlagsOfTheBuildComeBeforeThoseOfTheLine) {
     CompileOptions defaults;
     defaults.defines = {{"A", "1"}, {"B", "1"}};
@@ -141,6 +150,7 @@ TEST(ManifestTest, ShaderMakesFormIsRead) {
     const std::string text =
         "// comment of a line\n"
         "sub/a.hlsl -T vs_6_0 -o \"folder/of it\" --outputSuffix _x\n"
+        "a.hlsl -T ps_6_0 -o \"folder/of it\" -E f\n"
         "#ifdef GEOMETRY\n"
         "b.hlsl -T gs\n"
         "#else\n"
@@ -156,10 +166,12 @@ TEST(ManifestTest, ShaderMakesFormIsRead) {
         "#if 1\n"
         "f.hlsl -T cs\n"
         "#endif\n";
-    EXPECT_EQ(Outputs(text), (Names{"out/folder/of it/a_x.spv", "out/c.spv", "out/e.spv", "out/f.spv"}));
+    EXPECT_EQ(Outputs(text),
+              (Names{"out/folder/of it/a_x.spv", "out/folder/of it/a.f.spv", "out/c.spv", "out/e.spv", "out/f.spv"}));
     CompileOptions defaults;
     defaults.defines = {{"GEOMETRY", "1"}};
-    EXPECT_EQ(Outputs(text, defaults), (Names{"out/folder/of it/a_x.spv", "out/b.spv", "out/e.spv", "out/f.spv"}));
+    EXPECT_EQ(Outputs(text, defaults),
+              (Names{"out/folder/of it/a_x.spv", "out/folder/of it/a.f.spv", "out/b.spv", "out/e.spv", "out/f.spv"}));
     EXPECT_EQ(Errors("#endif\n"), Names{"hlsl/shaders.cfg:1: error: #endif without #ifdef NAME, #if 0 or #if 1"});
     EXPECT_EQ(Errors("a.hlsl -T ps\n#if 1\n"), Names{"hlsl/shaders.cfg:2: error: a condition without its #endif"});
 }
@@ -174,14 +186,14 @@ TEST(ManifestTest, TwoLinesWithOneOutputAreAnErrorThatNamesBoth) {
 }
 
 TEST(ManifestTest, OutputOutsideTheFolderIsAnError) {
-    for (const char* line : {"../a.hlsl -T ps", "x/../../a.hlsl -T ps", "a.hlsl -T ps -o ../a.spv"})
+    for (const char* line : {"../a.hlsl -T ps", "x/../../a.hlsl -T ps", "a.hlsl -T ps -o ../a"})
         EXPECT_EQ(Errors(line),
                   Names{"hlsl/shaders.cfg:1: error: the output '../a' is outside the output folder; give "
                         "its name with -o NAME.spv"});
     EXPECT_EQ(Errors("/abs/a.hlsl -T ps"),
               Names{"hlsl/shaders.cfg:1: error: the output '/abs/a' is outside the output "
                     "folder; give its name with -o NAME.spv"});
-    EXPECT_EQ(Outputs("../a.hlsl -T ps -o a.spv"), Names{"out/a.spv"});
+    EXPECT_EQ(Outputs("../a.hlsl -T ps -o a"), Names{"out/a.spv"});
 }
 
 TEST(ManifestTest, WrongBracesAreErrors) {

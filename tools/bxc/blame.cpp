@@ -22,7 +22,7 @@ constexpr Remedy kRemedies[] = {
     {"vector bool: All", "compare with 0 instead of all() of a scalar"},
     {"Matrix types can only be parameterized", "use a float matrix, or an array of vectors"},
     {"Expected Sampled Image", "compile with -Gec for sampler and tex2D, or use Texture2D and SamplerState"},
-    {"VUID-Position-Position", "let SV_Position be a float4, outside arrays"},
+    {"VUID-Position-Position", "let SV_Position be a float4"},
     {"conflicting input location", "let system values be out parameters, not inout"},
     {"conflicting output location", "give every output a semantic of its own"},
     {"OpTypeImage", "make texture variables in functions, not global or static"},

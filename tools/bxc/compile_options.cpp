@@ -255,7 +255,8 @@ std::string ToText(const CompileOptions& options) {
         text += fmt::format(" -D {}={}", define.name, define.value);
     for (const std::string& dir : options.includeDirs)
         text += fmt::format(" -I {}", dir);
-    text += fmt::format(" -O{} -HV {}", options.optimization, options.hlslVersion);
+    text += fmt::format(" -O{}", options.optimization);
+    if (options.hlslVersion >= 2021) text += fmt::format(" -HV {}", options.hlslVersion);
     if (options.debugInfo) text += " -Zi";
     if (options.warningsAreErrors) text += " -WX";
     if (options.dx9Compatible) text += " -Gec";

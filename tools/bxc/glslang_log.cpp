@@ -60,9 +60,12 @@ bool HasDirect3dAttribute(std::string_view text) {
 // A warning that there is nothing to do about:
 //   'RootSignature' : unrecognized attribute
 //   '' : attribute does not apply to a loop
-bool IsIdle(std::string_view message, std::string_view sourceLine) {
+bool IsIdle(std::string_view message, const SourcePlace& place, const Source& source) {
     if (message.ends_with(": unrecognized attribute")) return HasDirect3dAttribute(message);
-    return message.starts_with("'' : attribute does not apply to a ") && HasDirect3dAttribute(sourceLine);
+    if (!message.starts_with("'' : attribute does not apply to a ")) return false;
+    for (const int line : {place.line, place.line - 1})  // an attribute often has a line of its own
+        if (HasDirect3dAttribute(source.Line(place.file, line))) return true;
+    return false;
 }
 
 // "'token' : message", as glslang words it -> what bxc says. The column is that of the token.
@@ -129,9 +132,7 @@ void AppendGlslangLog(const std::string& log, const std::string& mainFile, const
         if (text.starts_with("WARNING: ") || text.starts_with("ERROR: ")) CutAt(text, ": ");
         if (const auto place = CutPlace(text)) diagnostic.place = *place;
         if (text.ends_with(" compilation errors.  No code generated.") && HasErrors(diagnostics)) continue;
-        if (diagnostic.severity == Severity::Warning &&
-            IsIdle(text, source.Line(diagnostic.place.file, diagnostic.place.line)))
-            continue;
+        if (diagnostic.severity == Severity::Warning && IsIdle(text, diagnostic.place, source)) continue;
         ReadMessage(text, source, diagnostic);
         if (std::ranges::find(diagnostics, diagnostic) == diagnostics.end())
             diagnostics.push_back(std::move(diagnostic));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <sstream>
 
 #include "tools/bxc/permute.h"
@@ -18,15 +19,37 @@ std::string WithoutEnding(std::string name, std::string_view ending) {
     return name;
 }
 
+// One shader of a line, not named yet.
+struct Entry {
+    int line;
+    Permutation permutation;
+    CompileOptions options;
+};
+
+// What -o gives that may be a folder. A name belongs to one line; what lines share is a folder, as in ShaderMake.
+std::set<std::string> FoldersIn(const std::vector<Entry>& entries) {
+    std::map<std::string, int> lineOf;
+    std::set<std::string> folders;
+    for (const Entry& entry : entries) {
+        const std::string& output = entry.options.output;
+        if (output.empty() || output.ends_with(".spv")) continue;
+        const auto [other, isNew] = lineOf.emplace(output, entry.line);
+        if (output.ends_with('/') || other->second != entry.line) folders.insert(output);
+    }
+    return folders;
+}
+
 // The shader's name: its output's path in the output folder, without .spv.
-std::string OutputName(const CompileOptions& options, const Permutation& line) {
+std::string OutputName(const CompileOptions& options, const Permutation& line, const std::set<std::string>& folders) {
+    const bool isFolder = folders.contains(options.output);
+    const std::string& given = options.binary.empty() ? options.output : options.binary;
     std::string name;
-    if (!options.binary.empty() || options.output.ends_with(".spv")) {
-        name = WithoutEnding(options.binary.empty() ? options.output : options.binary, ".spv");
+    if (!given.empty() && !isFolder) {
+        name = WithoutEnding(given, ".spv");
         if (!line.entryFromBraces.empty()) name += "." + line.entryFromBraces;
     } else {
         fs::path file = options.file;
-        if (!options.output.empty()) file = options.output / file.filename();
+        if (isFolder) file = options.output / file.filename();
         name = WithoutEnding(file.generic_string(), ".hlsl");
         if (options.entry != "main") name += "." + options.entry;
     }
@@ -92,41 +115,52 @@ std::vector<ShaderJob> ParseManifest(std::string_view text, const std::string& m
                                      const std::string& outputDir, const CompileOptions& defaults,
                                      Diagnostics& diagnostics) {
     const std::string root = fs::path(manifestFile).parent_path().generic_string();
-    std::vector<ShaderJob> jobs;
-    std::map<std::string, int> lineOfOutput;
+    std::vector<Entry> entries;
     Conditions conditions(defaults.defines);
     const auto readLine = [&](std::string_view lineText, int line) {
         const std::vector<std::string> directive = DirectiveWords(lineText);
         if ((!directive.empty() && conditions.Read(directive)) || !conditions.Hold() || IsComment(lineText)) return;
         for (const Permutation& permutation : Permute(SplitWords(lineText))) {
             if (permutation.words.empty()) continue;
-            ShaderJob job{root, ParseCompileOptions(permutation.words, defaults), ""};
-            if (!job.options.header.empty())
+            const CompileOptions options = ParseCompileOptions(permutation.words, defaults);
+            if (!options.header.empty())
                 throw UsageError("'-Fh {}': in a manifest no line has a header; --embed NAME makes one of them all",
-                                 job.options.header);
-            job.options.output = OutputName(job.options, permutation);
-            job.output = (fs::path(outputDir) / (job.options.output + ".spv")).generic_string();
-            const auto [other, isNew] = lineOfOutput.emplace(job.options.output, line);
-            if (!isNew)
-                throw UsageError("the output '{}.spv' is also written by line {}", job.options.output, other->second);
-            jobs.push_back(std::move(job));
+                                 options.header);
+            entries.push_back({line, permutation, options});
         }
     };
-    int line = 0;
-    const auto report = [&](const std::string& error) {
+    const size_t first = diagnostics.size();
+    const auto report = [&](int line, const std::string& error) {
         diagnostics.push_back({{manifestFile, line, 0}, Severity::Error, error});
     };
+    int line = 0;
     while (!text.empty()) {
-        ++line;
         const size_t end = std::min(text.find('\n'), text.size());
         try {
-            readLine(text.substr(0, end), line);
+            readLine(text.substr(0, end), ++line);
         } catch (const UsageError& error) {
-            report(error.what());
+            report(line, error.what());
         }
         text.remove_prefix(std::min(end + 1, text.size()));
     }
-    if (!conditions.AreClosed()) report("a condition without its #endif");
+    if (!conditions.AreClosed()) report(line, "a condition without its #endif");
+
+    std::vector<ShaderJob> jobs;
+    std::map<std::string, int> lineOfOutput;
+    const std::set<std::string> folders = FoldersIn(entries);
+    for (Entry& entry : entries) {
+        try {
+            const std::string name = OutputName(entry.options, entry.permutation, folders);
+            const auto [other, isNew] = lineOfOutput.emplace(name, entry.line);
+            if (!isNew) throw UsageError("the output '{}.spv' is also written by line {}", name, other->second);
+            entry.options.output = name;
+            jobs.push_back({root, entry.options, (fs::path(outputDir) / (name + ".spv")).generic_string()});
+        } catch (const UsageError& error) {
+            report(entry.line, error.what());
+        }
+    }
+    std::stable_sort(diagnostics.begin() + static_cast<ptrdiff_t>(first), diagnostics.end(),
+                     [](const Diagnostic& a, const Diagnostic& b) { return a.place.line < b.place.line; });
     return jobs;
 }
 

@@ -7,8 +7,8 @@
 // The output is named after the file without .hlsl, the entry point if it is not main, and the values in braces:
 // DIR/shaders/sat_pass.ps.TAPS=4.spv. #include looks in the manifest's own folder last.
 //
-// The manifests of ShaderMake are read as they are: // starts a comment, -o FOLDER puts the output there under the
-// file's bare name, and #ifdef NAME, #if 0, #if 1, #else, #endif leave lines out.
+// The manifests of ShaderMake are read as they are: // starts a comment; -o FOLDER/, or an -o that several lines
+// share, puts the output there under the file's bare name; #ifdef NAME, #if 0, #if 1, #else, #endif leave lines out.
 #pragma once
 
 #include <string>

@@ -63,7 +63,7 @@ A word with braces compiles the shader once for each value: -D NAME={{A,B}}, -E 
 Several of them multiply. #include looks in the manifest's own folder last.
 
 {}  -o NAME.spv     name of the output in DIR; the file's name, entry and values unless given
-  -o FOLDER       folder of the output in DIR; its name is the file's, without the folders
+  -o FOLDER/      folder of the output in DIR, also without the slash if several lines share it; its name is the file's
   --outputSuffix TEXT   behind that name, before the values
 
 Example:

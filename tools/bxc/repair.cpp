@@ -176,14 +176,19 @@ void RepairPositions(SpirvModule& module, ShaderStage stage) {
     }
 }
 
-// The pointer type to a type in Output, made in front of `instructions` if there is none.
+// The pointer type to a type in Output, in front of `instructions` that are to come: taken from further behind in the
+// module, where it is declared, or made.
 uint32_t OutputPointerTo(uint32_t type, SpirvModule& module, std::vector<SpirvInstruction>& instructions) {
-    for (const SpirvInstruction& each : module.instructions)
-        if (each.opcode == spv::OpTypePointer && each.operands.at(1) == spv::StorageClassOutput &&
-            each.operands.at(2) == type)
-            return each.operands.at(0);
-    instructions.push_back({spv::OpTypePointer, {module.NewId(), spv::StorageClassOutput, type}});
-    return instructions.back().operands[0];
+    const auto isIt = [&](const SpirvInstruction& each) {
+        return each.opcode == spv::OpTypePointer && each.operands.at(1) == spv::StorageClassOutput &&
+               each.operands.at(2) == type;
+    };
+    if (const auto known = std::ranges::find_if(instructions, isIt); known != instructions.end())
+        return known->operands.at(0);
+    const auto behind = std::ranges::find_if(module.instructions, isIt);
+    const uint32_t pointer = behind == module.instructions.end() ? module.NewId() : behind->operands.at(0);
+    instructions.push_back({spv::OpTypePointer, {pointer, spv::StorageClassOutput, type}});
+    return pointer;
 }
 
 // The variables that are the position, and an array of one: their array's type.
@@ -208,12 +213,16 @@ void UnwrapPositions(SpirvModule& module) {
         return found == wrapped.end() ? 0 : found->second;
     };
     std::vector<SpirvInstruction> output;
+    std::vector<uint32_t> hoisted;  // pointer types that are declared by now
     for (SpirvInstruction each : module.instructions) {
         std::vector<uint32_t>& operands = each.operands;
         const auto array = [&](size_t pointer) { return operands.size() > pointer ? arrayOf(operands[pointer]) : 0; };
         const bool isVariable = each.opcode == spv::OpVariable && array(1) && operands[2] == spv::StorageClassOutput;
+        if (each.opcode == spv::OpTypePointer && std::ranges::find(hoisted, operands.at(0)) != hoisted.end())
+            continue;
         if (isVariable) {
             operands[0] = OutputPointerTo(types.ElementOf(array(1)), module, output);
+            hoisted.push_back(operands[0]);
         } else if (each.opcode == spv::OpAccessChain && array(2)) {
             operands.erase(operands.begin() + 3);  // the index, which is 0
             if (operands.size() == 3) each.opcode = spv::OpCopyObject;
