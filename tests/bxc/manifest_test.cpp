@@ -204,6 +204,12 @@ TEST(ManifestTest, WrongBracesAreErrors) {
         Errors("a.hlsl -T ps -D A={a/b}"),
         Names{"hlsl/shaders.cfg:1: error: 'A={a/b}': a value in braces becomes part of a file name: expected no /"});
     EXPECT_EQ(Errors("a.hlsl -T ps -D{A,}"), Names{"hlsl/shaders.cfg:1: error: '-D' needs a value"});
+    EXPECT_EQ(Errors("a.hlsl -T ps -D \"A={\""), Names{}) << "a brace in quotes stands for itself";
+    EXPECT_EQ(Errors("a.hlsl -T ps -D \"A=}{\""), Names{});
+    std::string braces = "{a,b}{a,b}{a,b}{a,b}{a,b}{a,b}{a,b}{a,b}{a,b}{a,b}{a,b}{a,b}{a,b}";
+    EXPECT_EQ(Errors("a.hlsl -T ps -D A=" + braces), Names{"hlsl/shaders.cfg:1: error: more than 4096 permutations"});
+    EXPECT_EQ(Errors("a.hlsl -T ps -D A=" + braces + braces),
+              Names{"hlsl/shaders.cfg:1: error: more than 16 braces in one word"});
     std::string many = "a.hlsl -T ps";
     for (const char* name : {"A", "B", "C", "D"})
         many += std::string(" -D ") + name + "={1,2,3,4,5,6,7,8,9}";

@@ -70,6 +70,8 @@ TEST(OptionsTest, DefineAndIncludeTakeTheirValueWithoutASpace) {
 TEST(OptionsTest, AbsolutePathIsAFileAndNotASlashFlag) {
     EXPECT_EQ(Parse({"/Zimmer/a.hlsl", "-T", "ps"}).file, "/Zimmer/a.hlsl");
     EXPECT_EQ(Parse({"/tmp", "-T", "ps"}).file, "/tmp");
+    EXPECT_EQ(Parse({"a", "-T", "ps", "/Iinc/x", "/FhCompiled/a.h"}),
+              Parse({"a", "-T", "ps", "-I", "inc/x", "-Fh", "Compiled/a.h"}));
 }
 
 TEST(OptionsTest, ProfileSelectsTheStageWithOrWithoutAVersion) {
@@ -101,11 +103,28 @@ TEST(OptionsTest, WrongFlagIsNamedWithThoseThatAreAccepted) {
 
 // A build script's line is taken as it is.
 TEST(OptionsTest, FlagsThatCannotChangeTheSpirvAreIgnored) {
-    EXPECT_EQ(
-        Parse({"a", "-T", "ps", "/nologo", "/Ges", "/Qstrip_reflect", "-spirv", "/Zpc", "-W3", "-Wno-error", "-Vd",
-               "-fspv-target-env=vulkan1.3", "/Zss", "-fspv-target-env=universal1.5", "-fvk-use-dx-layout",
-               "-fspv-extension=SPV_KHR_ray_query", "-all_resources_bound", "/Qstrip_debug"}),
-        Parse({"a", "-T", "ps"}));
+    EXPECT_EQ(Parse({"a",
+                     "-T",
+                     "ps",
+                     "/nologo",
+                     "/Ges",
+                     "/Qstrip_reflect",
+                     "-spirv",
+                     "/Zpc",
+                     "-W3",
+                     "-Wno-error",
+                     "-Vd",
+                     "-fspv-target-env=vulkan1.3",
+                     "/Zss",
+                     "-fspv-target-env=universal1.5",
+                     "-fvk-use-dx-layout",
+                     "-fspv-extension=SPV_KHR_ray_query",
+                     "-all_resources_bound",
+                     "/Qstrip_debug",
+                     "/Fda.pdb",
+                     "-Fd",
+                     "a.pdb"}),
+              Parse({"a", "-T", "ps"}));
 }
 
 TEST(OptionsTest, FlagsOfOtherCompilersThatBxcCanMeanAreRead) {
@@ -147,7 +166,7 @@ TEST(OptionsTest, FlagsOfOtherCompilersThatBxcCanMeanAreRead) {
 TEST(OptionsTest, FlagsThatBxcCannotMeanAreRefusedWithTheReason) {
     const std::pair<std::vector<std::string>, const char*> refusals[] = {
         {{"/Fc", "a.asm"}, "'-Fc': bxc writes no listing; spirv-dis makes one of the .spv"},
-        {{"/Fda.pdb"}, "'-Fd': debug information stays in the .spv; leave the flag out"},
+        {{"/Fea.txt"}, "'-Fe': messages go to stderr; redirect them"},
         {{"-fvk-use-scalar-layout"}, "'-fvk-use-scalar-layout': constants lie as in Direct3D"},
         {{"-fvk-bind-globals", "0", "1"}, "'-fvk-bind-globals': constants outside a cbuffer are refused"},
         {{"-fspv-target-env=vulkan1.0"},

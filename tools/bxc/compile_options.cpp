@@ -122,7 +122,7 @@ constexpr const char* kIgnored[] = {"-nologo",
                                     "-fvk-use-dx-layout",
                                     "-ffinite-math-only",
                                     "-fno-finite-math-only"};
-constexpr const char* kIgnoredWithValue[] = {"-fspv-extension", "-fdiagnostics-format"};
+constexpr const char* kIgnoredWithValue[] = {"-Fd", "-fspv-extension", "-fdiagnostics-format"};
 
 struct Refusal {
     const char* flag;
@@ -132,7 +132,6 @@ struct Refusal {
 constexpr Refusal kRefused[] = {
     {"-Fc", 1, "bxc writes no listing; spirv-dis makes one of the .spv"},
     {"-Fx", 1, "bxc writes no listing; spirv-dis makes one of the .spv"},
-    {"-Fd", 1, "debug information stays in the .spv; leave the flag out"},
     {"-Fe", 1, "messages go to stderr; redirect them"},
     {"-Fre", 1, "reflection goes to the .layout.json beside the .spv"},
     {"-Frs", 1, "Vulkan has no root signatures"},
@@ -150,7 +149,7 @@ void AppendForeignFlags(std::vector<Flag>& flags) {
     for (const char* name : kIgnored)
         flags.push_back({name, 0, ignore, false, false});
     for (const char* name : kIgnoredWithValue)
-        flags.push_back({name, 1, ignore, false, false});
+        flags.push_back({name, 1, ignore, true, false});
     flags.push_back({"-W", 1, ignore, true, false});  // -Wno-conversion, /W3
     for (const Refusal& refusal : kRefused)
         flags.push_back({refusal.flag, refusal.valueCount,

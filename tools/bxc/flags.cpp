@@ -19,7 +19,9 @@ bool Names(const Flag& flag, std::string_view word) {
 }
 
 std::optional<std::string> JoinedValue(const Flag& flag, std::string_view word) {
-    const bool slash = word.starts_with('/') && word.find('/', 1) >= word.find('=');
+    const bool takesPath = flag.name == "-I" || flag.name.starts_with("-F");  // /Iinclude/lib
+    const bool slash =
+        word.starts_with('/') && (word.find('/', 1) >= word.find('=') || (takesPath && !fs::exists(word)));
     if (flag.joined && word.size() > flag.name.size() && (word[0] == '-' || slash) &&
         word.substr(1).starts_with(flag.name.substr(1)))
         return std::string(word.substr(flag.name.size()));

@@ -1,6 +1,7 @@
 #include "tools/bxc/permute.h"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "tools/layout/error.h"
 
@@ -8,6 +9,7 @@ namespace boxcar {
 namespace {
 
 constexpr size_t kMaxPermutations = 4096;
+constexpr ptrdiff_t kMaxBracesOfAWord = 16;
 
 // A flag and its value are one choice, however they are written.
 bool IsFlag(std::string_view word, char letter) {
@@ -16,16 +18,30 @@ bool IsFlag(std::string_view word, char letter) {
 
 // "A={1,2}" -> "A=1", "A=2". A word without braces stands for itself.
 std::vector<std::string> Alternatives(const std::string& word) {
-    const size_t opening = word.find('{'), closing = word.find('}', opening);
-    if (opening == std::string::npos || closing == std::string::npos) return {word};
-    if (closing == opening + 1) throw UsageError("'{}': braces without a value", word);
-    std::vector<std::string> words;
-    for (size_t start = opening + 1; start <= closing;) {
-        const size_t end = std::min(word.find(',', start), closing);
-        const std::string chosen =
-            word.substr(0, opening) + word.substr(start, end - start) + word.substr(closing + 1);
-        std::ranges::move(Alternatives(chosen), std::back_inserter(words));
-        start = end + 1;
+    if (std::ranges::count(word, '{') > kMaxBracesOfAWord)
+        throw UsageError("more than {} braces in one word", kMaxBracesOfAWord);
+    std::vector<std::string> words = {word};
+    const auto hasBraces = [](const std::string& each) {
+        return each.find('}', std::min(each.find('{'), each.size())) != std::string::npos;
+    };
+    while (std::ranges::any_of(words, hasBraces)) {
+        std::vector<std::string> chosen;
+        for (const std::string& each : words) {
+            if (!hasBraces(each)) {
+                chosen.push_back(each);
+                continue;
+            }
+            const size_t opening = each.find('{'), closing = each.find('}', opening);
+            if (closing == opening + 1) throw UsageError("'{}': braces without a value", word);
+            for (size_t start = opening + 1; start <= closing;) {
+                const size_t end = std::min(each.find(',', start), closing);
+                chosen.push_back(each.substr(0, opening) + each.substr(start, end - start) +
+                                 each.substr(closing + 1));
+                start = end + 1;
+            }
+            if (chosen.size() > kMaxPermutations) throw UsageError("more than {} permutations", kMaxPermutations);
+        }
+        words = std::move(chosen);
     }
     return words;
 }
