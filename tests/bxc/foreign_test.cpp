@@ -71,6 +71,36 @@ TEST_F(ForeignTest, SelectAndOrAreThereWithHlsl2021Only) {
         << run.err;
 }
 
+// Narrowed to float on the way, they would come out by a conversion.
+TEST_F(ForeignTest, SelectKeepsDoublesAndHalves) {
+    constexpr uint16_t kOpFConvert = 115;
+    const auto conversions = [&] {
+        const SpirvModule module(Spirv());
+        return std::ranges::count(module.instructions, kOpFConvert, &SpirvInstruction::opcode);
+    };
+    Compile(
+        "RWStructuredBuffer<double> d : register(u0);\n"
+        "[numthreads(1, 1, 1)] void main(uint i : SV_DispatchThreadID) { d[i] = select(i > 2, d[i + 1], d[i + 2]); "
+        "}\n",
+        "cs", {"-HV", "2021"});
+    EXPECT_EQ(conversions(), 0);
+    Compile(
+        "RWStructuredBuffer<half4> h : register(u0);\n"
+        "[numthreads(1, 1, 1)] void main(uint i : SV_DispatchThreadID) { h[i] = select(h[0] > h[1], h[2], h[3]); }\n",
+        "cs", {"-HV", "2021", "-enable-16bit-types"});
+    EXPECT_EQ(conversions(), 0);
+    Compile(
+        "RWStructuredBuffer<half4> h : register(u0);\n"
+        "[numthreads(1, 1, 1)] void main(uint i : SV_DispatchThreadID) {\n"
+        "    h[i] = select(h[0] > h[1], h[2], 1) + select(i > 2, h[1], true) + select(i > 2, i, h[0].x); }\n",
+        "cs", {"-HV", "2021", "-enable-16bit-types"});
+    Compile(
+        "RWStructuredBuffer<double3> d : register(u0);\n"
+        "[numthreads(1, 1, 1)] void main(uint i : SV_DispatchThreadID) {\n"
+        "    d[i] = select(d[1] > d[2], i, 0.5) + select(i > 2, true, d[2]) + select(d[1] > 0, -1, d[3]); }\n",
+        "cs", {"-HV", "2021"});
+}
+
 TEST_F(ForeignTest, FunctionAndMacroOfTheSameNameGoBeforeThePrelude) {
     // Its own result is told from the intrinsic's: a constant that nothing else makes.
     const auto hasConstant = [&](float value) {

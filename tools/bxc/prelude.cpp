@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
+#include <string_view>
+#include <vector>
 
 namespace boxcar {
 namespace {
@@ -25,16 +26,29 @@ std::vector<std::vector<int>> Sizes(size_t valueCount, int size) {
     return ways;
 }
 
-std::string Select() {
-    constexpr std::string_view kByRank[] = {"bool", "int", "uint", "float"};  // two have the later one in common
+// `value` as the common type. The compiler makes no half of what is not float.
+std::string Cast(std::string_view from, std::string_view common, int size, std::string_view value) {
+    const bool goesByFloat = common == "half" && from != "half";
+    return fmt::format("({}){}{}", VectorType(common, size),
+                       goesByFloat ? fmt::format("({})", VectorType("float", size)) : "", value);
+}
+
+std::string SelectOf(std::string_view yes, std::string_view no, std::string_view common) {
     std::string text;
-    for (size_t yes = 0; yes < std::size(kByRank); ++yes)
-        for (size_t no = 0; no < std::size(kByRank); ++no)
-            for (int size = 1; size <= 4; ++size)
-                for (const std::vector<int>& sizes : Sizes(3, size))
-                    text += fmt::format("{0} select({1} c, {2} t, {3} f) {{ return c ? ({0})t : ({0})f; }} ",
-                                        VectorType(kByRank[std::max(yes, no)], size), VectorType("bool", sizes[0]),
-                                        VectorType(kByRank[yes], sizes[1]), VectorType(kByRank[no], sizes[2]));
+    for (int size = 1; size <= 4; ++size)
+        for (const std::vector<int>& sizes : Sizes(3, size))
+            text += fmt::format("{} select({} c, {} t, {} f) {{ return c ? {} : {}; }} ", VectorType(common, size),
+                                VectorType("bool", sizes[0]), VectorType(yes, sizes[1]), VectorType(no, sizes[2]),
+                                Cast(yes, common, size, "t"), Cast(no, common, size, "f"));
+    return text;
+}
+
+// scalars  by rank: two have the later one in common
+std::string Select(const std::vector<std::string_view>& scalars) {
+    std::string text;
+    for (size_t yes = 0; yes < scalars.size(); ++yes)
+        for (size_t no = 0; no < scalars.size(); ++no)
+            text += SelectOf(scalars[yes], scalars[no], scalars[std::max(yes, no)]);
     for (int rows = 2; rows <= 4; ++rows)
         for (int columns = 2; columns <= 4; ++columns)
             text += fmt::format(
@@ -51,6 +65,19 @@ std::string Logical(std::string_view name, std::string_view op) {
             text += fmt::format("{0} {1}({2} a, {3} b) {{ return ({0})a {4} ({0})b; }} ", VectorType("bool", size),
                                 name, VectorType("bool", sizes[0]), VectorType("bool", sizes[1]), op);
     return text;
+}
+
+// What a shader can choose between. Without an overload of its own a type would be narrowed to float.
+std::vector<std::string_view> ScalarsOf(const CompileOptions& options, const Outline& shader) {
+    std::vector<std::string_view> scalars = {"bool", "int", "uint"};
+    if (options.native16Bit) scalars.push_back("half");
+    scalars.push_back("float");
+    for (int size = 1; size <= 4; ++size)
+        if (!shader.Mentions(VectorType("double", size)).empty()) {
+            scalars.push_back("double");
+            break;
+        }
+    return scalars;
 }
 
 // A macro is safe where every mention of the name is a call with that many arguments.
@@ -70,7 +97,7 @@ std::string MakePrelude(const CompileOptions& options, const Outline& shader, co
         return options.hlslVersion >= 2021 && !shader.Mentions(name).empty() && !shader.Function(name);
     };
     std::string text;
-    if (lacks("select")) text += Select();
+    if (lacks("select")) text += Select(ScalarsOf(options, shader));
     if (lacks("and")) text += Logical("and", "&&");
     if (lacks("or")) text += Logical("or", "||");
     if (!text.empty()) text += "\n";
