@@ -118,6 +118,23 @@ TEST_F(ForeignFlagsTest, GisForbidsContractionOfEveryOperation) {
     EXPECT_EQ(Count(kOpDecorate, kNoContraction), 5u) << "multiply, dot, add, divide, subtract";
 }
 
+TEST_F(ForeignFlagsTest, PositionIsTurnedOverAndItsWInvertedWhereAsked) {
+    constexpr uint16_t kOpFNegate = 127, kOpFDiv = 136;
+    const auto count = [&](uint16_t opcode) {
+        return std::ranges::count(SpirvModule(Spirv()).instructions, opcode, &SpirvInstruction::opcode);
+    };
+    const std::string vertex = "float4 main(float4 p : POSITION) : SV_Position { return p; }\n";
+    Compile(vertex, "vs");
+    EXPECT_EQ(count(kOpFNegate), 0);
+    Compile(vertex, "vs", {"-fvk-invert-y"});
+    EXPECT_EQ(count(kOpFNegate), 1);
+    const std::string pixel = "float4 main(float4 p : SV_Position) : SV_Target0 { return p.w; }\n";
+    Compile(pixel, "ps");
+    EXPECT_EQ(count(kOpFDiv), 0);
+    Compile(pixel, "ps", {"-fvk-use-dx-position-w"});
+    EXPECT_EQ(count(kOpFDiv), 1);
+}
+
 TEST_F(ForeignFlagsTest, HalfHas16BitsWhereAsked) {
     constexpr uint16_t kOpTypeFloat = 22;
     const std::string text =
