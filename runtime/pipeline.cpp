@@ -80,6 +80,7 @@ struct VertexMember {
 
 constexpr VertexMember kVertexMembers[] = {
     {"POSITION0", offsetof(Vertex, position), vk::Format::eR32G32B32Sfloat},
+    {"SV_POSITION0", offsetof(Vertex, position), vk::Format::eR32G32B32Sfloat},  // of an inout parameter
     {"NORMAL0", offsetof(Vertex, normal), vk::Format::eR32G32B32Sfloat},
     {"TEXCOORD0", offsetof(Vertex, uv), vk::Format::eR32G32Sfloat},
 };

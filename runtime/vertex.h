@@ -6,7 +6,7 @@
 
 namespace boxcar {
 
-// A vertex shader reads these members as POSITION, NORMAL and TEXCOORD0, or some of them.
+// A vertex shader reads these members as POSITION (or SV_Position), NORMAL and TEXCOORD0, or some of them.
 struct Vertex {
     glm::vec3 position{0};  // in the mesh's own units
     glm::vec3 normal{0};    // length 1

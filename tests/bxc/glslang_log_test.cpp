@@ -65,5 +65,24 @@ TEST_F(GlslangLogTest, VeryLongLinesAreRead) {
     EXPECT_EQ(Messages("ERROR: a.hlsl:1: '#error' : " + text + "\n"), Names{"a.hlsl:1: error: '#error': " + text});
 }
 
+TEST_F(GlslangLogTest, AttributesThatMeanNothingToVulkanAreLeftOut) {
+    Write("a.hlsl", "[FastOpt] for (;;)\n\n[unroll] switch (x)\n");
+    EXPECT_EQ(Messages("WARNING: a.hlsl:1: 'RootSignature' : unrecognized attribute \n"
+                       "WARNING: a.hlsl:1: '' : attribute does not apply to a loop \n"
+                       "WARNING: a.hlsl:3: '' : attribute does not apply to a switch \n"
+                       "WARNING: a.hlsl:2: 'rootsignatures' : unrecognized attribute \n"
+                       "ERROR: a.hlsl:1: 'shader' : unrecognized attribute \n"),
+              (Names{"a.hlsl:3: warning: attribute does not apply to a switch",
+                     "a.hlsl:2: warning: 'rootsignatures': unrecognized attribute",
+                     "a.hlsl:1: error: 'shader': unrecognized attribute"}));
+}
+
+TEST_F(GlslangLogTest, MissingPartOfTheCompilerIsItsFault) {
+    EXPECT_EQ(
+        Messages("Missing functionality: matrix swizzle\n"),
+        Names{"a.hlsl: error: the compiler cannot translate this, which is its fault and not the shader's: matrix "
+              "swizzle"});
+}
+
 }  // namespace
 }  // namespace boxcar

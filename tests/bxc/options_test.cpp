@@ -30,6 +30,11 @@ std::string Refusal(const std::vector<std::string>& words) {
     return "accepted";
 }
 
+constexpr const char* kAccepted =
+    "-T -E -D -I -Od -O -Zi -WX -Gec -Gis -HV -Zpr -Zpc -enable-16bit-types -fvk-b-shift -fvk-s-shift -fvk-t-shift "
+    "-fvk-u-shift -fvk-invert-y -fvk-use-dx-position-w -fspv-target-env --after --after-T --after-E -o -Fo "
+    "--outputSuffix -Fh -Vn";
+
 TEST(OptionsTest, EveryCompileFlagIsRead) {
     const CompileOptions options =
         Parse({"a.ps.hlsl", "-T",  "ps_5_0", "-E",   "Blur", "-D",   "A",  "-D",      "B=2",     "-I",       "inc",
@@ -65,6 +70,8 @@ TEST(OptionsTest, DefineAndIncludeTakeTheirValueWithoutASpace) {
 TEST(OptionsTest, AbsolutePathIsAFileAndNotASlashFlag) {
     EXPECT_EQ(Parse({"/Zimmer/a.hlsl", "-T", "ps"}).file, "/Zimmer/a.hlsl");
     EXPECT_EQ(Parse({"/tmp", "-T", "ps"}).file, "/tmp");
+    EXPECT_EQ(Parse({"a", "-T", "ps", "/Iinc/x", "/FhCompiled/a.h"}),
+              Parse({"a", "-T", "ps", "-I", "inc/x", "-Fh", "Compiled/a.h"}));
 }
 
 TEST(OptionsTest, ProfileSelectsTheStageWithOrWithoutAVersion) {
@@ -72,17 +79,130 @@ TEST(OptionsTest, ProfileSelectsTheStageWithOrWithoutAVersion) {
     EXPECT_EQ(Parse({"a", "-T", "ps_4_0"}).stage, ShaderStage::Pixel);
     EXPECT_EQ(Parse({"a", "-T", "cs_6_6"}).stage, ShaderStage::Compute);
     EXPECT_EQ(Parse({"a", "-T", "ps"}), Parse({"a", "-T", "ps_5_0"}));
-    for (const char* profile : {"gs_5_0", "ps_5", "ps50", "p", "", "PS_5_0"})
+    EXPECT_EQ(Parse({"a", "-T", "hs_5_0"}).stage, ShaderStage::Hull);
+    EXPECT_EQ(Parse({"a", "-T", "ds_5_0"}).stage, ShaderStage::Domain);
+    EXPECT_EQ(Parse({"a", "-T", "gs_5_0"}).stage, ShaderStage::Geometry);
+    EXPECT_EQ(Parse({"a", "-Tvs_4_0_level_9_3"}), Parse({"a", "-T", "vs"}));
+    for (const char* profile : {"xs_5_0", "ps_5", "ps50", "p", "", "PS_5_0", "ps_4_0_level_9", "ps_4_0_level_9_1_"})
+        EXPECT_EQ(CompileRefusal({"a", "-T", profile}), "'-T " + std::string(profile) +
+                                                            "': expected vs, hs, ds, gs, ps or cs, with or without a "
+                                                            "version, as in ps_5_0");
+    for (const char* profile : {"lib_6_3", "ms_6_5", "as"})
         EXPECT_EQ(
             CompileRefusal({"a", "-T", profile}),
-            "'-T " + std::string(profile) + "': expected vs, ps or cs, with or without a version, as in ps_5_0");
+            "'-T " + std::string(profile) +
+                "': ray tracing, mesh and amplification shaders are not compiled; expected vs, hs, ds, gs, ps or "
+                "cs");
 }
 
 TEST(OptionsTest, WrongFlagIsNamedWithThoseThatAreAccepted) {
-    for (const char* flag : {"-Fo", "/Od", "--after-all", "-O4", "-zi"})
+    for (const char* flag : {"-Fy", "/od", "--after-all", "-zi"})
         EXPECT_EQ(CompileRefusal({"a", "-T", "ps", flag}),
-                  "unknown flag '" + std::string(flag) +
-                      "'; accepted: -T -E -D -I -O0 -O1 -O2 -O3 -Zi -WX -Gec -HV --after -o");
+                  "unknown flag '" + std::string(flag) + "'; accepted: " + kAccepted);
+}
+
+// A build script's line is taken as it is.
+TEST(OptionsTest, FlagsThatCannotChangeTheSpirvAreIgnored) {
+    EXPECT_EQ(Parse({"a",
+                     "-T",
+                     "ps",
+                     "/nologo",
+                     "/Ges",
+                     "/Qstrip_reflect",
+                     "-spirv",
+                     "/Zpc",
+                     "-W3",
+                     "-Wno-error",
+                     "-Vd",
+                     "-fspv-target-env=vulkan1.3",
+                     "/Zss",
+                     "-fspv-target-env=universal1.5",
+                     "-fvk-use-dx-layout",
+                     "-fspv-extension=SPV_KHR_ray_query",
+                     "-all_resources_bound",
+                     "/Qstrip_debug",
+                     "/Fda.pdb",
+                     "-Fd",
+                     "a.pdb"}),
+              Parse({"a", "-T", "ps"}));
+}
+
+TEST(OptionsTest, FlagsOfOtherCompilersThatBxcCanMeanAreRead) {
+    const CompileOptions options = Parse({"a",
+                                          "/Tps_5_0",
+                                          "/EBlur",
+                                          "/Od",
+                                          "/Zpr",
+                                          "/Gis",
+                                          "-enable-16bit-types",
+                                          "-fvk-t-shift",
+                                          "100",
+                                          "0",
+                                          "-fvk-b-shift",
+                                          "7",
+                                          "all",
+                                          "-fvk-invert-y",
+                                          "/Fo",
+                                          "out.cso",
+                                          "/Fhout.h",
+                                          "/Vn",
+                                          "kBlur",
+                                          "-fvk-use-dx-position-w"});
+    CompileOptions expected;
+    expected.file = "a";
+    expected.entry = "Blur";
+    expected.optimization = 0;
+    expected.rowMajor = expected.strictMath = expected.native16Bit = true;
+    expected.invertY = expected.dxPositionW = true;
+    expected.shifts = {{'t', 100, 0}, {'b', 7, RegisterShift::kAllSets}};
+    expected.binary = "out.cso";
+    expected.header = "out.h";
+    expected.variable = "kBlur";
+    EXPECT_EQ(options, expected);
+    EXPECT_EQ(Parse({"a", "-T", "ps", "-Zpr", "-Zpc"}).rowMajor, false);
+    EXPECT_EQ(Parse({"a", "-T", "ps", "-O", "1"}).optimization, 1);
+}
+
+TEST(OptionsTest, FlagsThatBxcCannotMeanAreRefusedWithTheReason) {
+    const std::pair<std::vector<std::string>, const char*> refusals[] = {
+        {{"/Fc", "a.asm"}, "'-Fc': bxc writes no listing; spirv-dis makes one of the .spv"},
+        {{"/Fea.txt"}, "'-Fe': messages go to stderr; redirect them"},
+        {{"-fvk-use-scalar-layout"}, "'-fvk-use-scalar-layout': constants lie as in Direct3D"},
+        {{"-fvk-bind-globals", "0", "1"}, "'-fvk-bind-globals': constants outside a cbuffer are refused"},
+        {{"-fspv-target-env=vulkan1.0"},
+         "'-fspv-target-env=vulkan1.0': the SPIR-V is version 1.3, for Vulkan 1.1 and later: expected vulkan1.1 or "
+         "later"},
+        {{"-fvk-t-shift", "x", "0"}, "'-fvk-t-shift x': expected a whole number from 0 to 65535"},
+        {{"-fvk-t-shift", "1", "-1"}, "'-fvk-t-shift 1 -1': expected a whole number from 0 to 65535"},
+        {{"-fvk-t-shift", "1"}, "'-fvk-t-shift' needs two values"},
+        {{"-Vn", "1a"}, "'-Vn 1a': expected the name of a variable in C"}};
+    for (const auto& [flags, message] : refusals) {
+        std::vector<std::string> words = {"a", "-T", "ps"};
+        words.insert(words.end(), flags.begin(), flags.end());
+        EXPECT_EQ(CompileRefusal(words), message);
+    }
+}
+
+TEST(OptionsTest, LaterValueOfAMacroReplacesTheOneBefore) {
+    EXPECT_EQ(Parse({"a", "-T", "ps", "-DA=1", "-DB", "-DA=2"}).defines,
+              (std::vector<Define>{{"B", "1"}, {"A", "2"}}));
+}
+
+TEST(OptionsTest, OnlyStagesThatFollowEachOtherAreLinked) {
+    const auto linked = [](const char* stage, const char* before) {
+        return CompileRefusal({"a", "-T", stage, "--after", "b", "--after-T", before, "--after-E", "f"});
+    };
+    const std::pair<const char*, const char*> links[] = {{"ps", "vs"}, {"ps", "ds"}, {"ps", "gs"}, {"gs", "vs"},
+                                                         {"gs", "ds"}, {"hs", "vs"}, {"ds", "hs"}, {"ds", "vs"}};
+    for (const auto& [stage, before] : links)  // before a domain shader is always a hull shader
+        EXPECT_EQ(linked(stage, before), "accepted") << stage << " after " << before;
+    EXPECT_EQ(Parse({"a", "-T", "ds", "--after", "b"}).afterStage, ShaderStage::Hull);
+    for (const auto& [stage, before] :
+         {std::pair("cs", "vs"), {"vs", "vs"}, {"hs", "gs"}, {"ps", "ps"}, {"gs", "hs"}})
+        EXPECT_EQ(linked(stage, before),
+                  "'--after b': no " + std::string(stage) + " shader comes after a " + before +
+                      " shader; expected vs before hs, gs, ps; hs before ds; ds before gs, ps; "
+                      "gs before ps");
 }
 
 TEST(OptionsTest, WrongValueIsNamedWithWhatIsExpected) {
@@ -93,8 +213,7 @@ TEST(OptionsTest, WrongValueIsNamedWithWhatIsExpected) {
     EXPECT_EQ(CompileRefusal({"-T", "ps"}), "no shader file is given");
     EXPECT_EQ(CompileRefusal({"a", "b", "-T", "ps"}), "'b': expected one shader file; there is 'a'");
     EXPECT_EQ(CompileRefusal({"a"}), "'a' has no profile: expected -T vs_5_0, ps_5_0 or cs_5_0");
-    EXPECT_EQ(CompileRefusal({"a", "-T", "cs", "--after", "b"}),
-              "'--after b': only a pixel shader (-T ps) comes after a vertex shader");
+    EXPECT_EQ(CompileRefusal({"a", "-T", "ps", "-O4"}), "'-O 4': expected a whole number from 0 to 3");
 }
 
 TEST(OptionsTest, CommandsAreRead) {
@@ -111,14 +230,26 @@ TEST(OptionsTest, CommandsAreRead) {
     EXPECT_EQ(ParseOptions(std::vector<std::string>{"--version"}).command, Command::Version);
 }
 
+TEST(OptionsTest, FlagsOfABuildHoldForEveryLine) {
+    const Options build = ParseOptions(
+        std::vector<std::string>{"build", "s.cfg", "-o", "out", "-D", "A=1", "-Iinc", "-HV", "2021", "-WX", "-Zpr"});
+    EXPECT_EQ(build.compile.defines, (std::vector<Define>{{"A", "1"}}));
+    EXPECT_EQ(build.compile.includeDirs, std::vector<std::string>{"inc"});
+    EXPECT_EQ(build.compile.hlslVersion, 2021);
+    EXPECT_TRUE(build.compile.warningsAreErrors && build.compile.rowMajor);
+    EXPECT_EQ(build.outputDir, "out");
+}
+
 TEST(OptionsTest, WrongCommandLineIsRefused) {
     EXPECT_EQ(Refusal({}), "no command is given; accepted: compile, build, --help, --version");
     EXPECT_EQ(Refusal({"run"}), "unknown command 'run'; accepted: compile, build, --help, --version");
     EXPECT_EQ(Refusal({"build", "-o", "x"}), "expected one manifest; 0 are given");
     EXPECT_EQ(Refusal({"build", "a", "b", "-o", "x"}), "expected one manifest; 2 are given");
     EXPECT_EQ(Refusal({"build", "a"}), "no output folder is given: expected -o DIR");
-    EXPECT_EQ(Refusal({"build", "a", "-o", "x", "-Zi"}),
-              "unknown flag '-Zi'; accepted: -o -j --embed --depfile --timeout --max-memory");
+    EXPECT_EQ(Refusal({"build", "a", "-o", "x", "-E", "f"}),
+              "unknown flag '-E'; accepted: -o -j --embed --depfile --timeout --max-memory -D -I -Od -O -Zi -WX -Gec "
+              "-Gis -HV -Zpr -Zpc -enable-16bit-types -fvk-b-shift -fvk-s-shift -fvk-t-shift -fvk-u-shift "
+              "-fvk-invert-y -fvk-use-dx-position-w -fspv-target-env");
     for (const char* number : {"0", "257", "x", "1.5", "", "-1", "99999999999"})
         EXPECT_EQ(Refusal({"build", "a", "-o", "x", "-j", number}),
                   "'-j " + std::string(number) + "': expected a whole number from 1 to 256");
@@ -127,6 +258,10 @@ TEST(OptionsTest, WrongCommandLineIsRefused) {
     for (const char* output : {"x", "x.hlsl"})
         EXPECT_EQ(Refusal({"compile", "a.hlsl", "-T", "ps", "-o", output}),
                   "'-o " + std::string(output) + "': expected a name that ends in .spv and is not the shader's");
+    EXPECT_EQ(Refusal({"compile", "a.hlsl", "-T", "ps", "-Fo", "a.hlsl"}),
+              "the output 'a.hlsl' is the shader itself");
+    EXPECT_EQ(Refusal({"compile", "a.hlsl", "-T", "ps", "-Fh", "a.hlsl"}),
+              "the output 'a.hlsl' is the shader itself");
     EXPECT_EQ(Refusal({"compile", "a.spv", "-T", "ps", "-o", "a.spv"}),
               "'-o a.spv': expected a name that ends in .spv and is not the shader's");
 }
@@ -134,8 +269,22 @@ TEST(OptionsTest, WrongCommandLineIsRefused) {
 TEST(OptionsTest, TextOfTheFlagsTellsApartWhatCompilesDifferently) {
     const std::string plain = ToText(Parse({"a", "-T", "ps"}));
     EXPECT_EQ(plain, ToText(Parse({"a", "/T", "ps_5_0", "-O3", "-E", "main", "-o", "other.spv"})));
-    for (const std::vector<std::string>& flags : std::vector<std::vector<std::string>>{
-             {"-E", "f"}, {"-D", "A"}, {"-I", "x"}, {"-O2"}, {"-Zi"}, {"-WX"}, {"-Gec"}, {"--after", "x"}}) {
+    for (const std::vector<std::string>& flags : std::vector<std::vector<std::string>>{{"-E", "f"},
+                                                                                       {"-D", "A"},
+                                                                                       {"-I", "x"},
+                                                                                       {"-O2"},
+                                                                                       {"-Zi"},
+                                                                                       {"-WX"},
+                                                                                       {"-Gec"},
+                                                                                       {"--after", "x"},
+                                                                                       {"-HV", "2021"},
+                                                                                       {"-Zpr"},
+                                                                                       {"-Gis"},
+                                                                                       {"-enable-16bit-types"},
+                                                                                       {"-fvk-invert-y"},
+                                                                                       {"-fvk-use-dx-position-w"},
+                                                                                       {"-fvk-s-shift", "0", "all"},
+                                                                                       {"-fvk-s-shift", "0", "0"}}) {
         std::vector<std::string> words = {"a", "-T", "ps"};
         words.insert(words.end(), flags.begin(), flags.end());
         EXPECT_NE(ToText(Parse(words)), plain) << flags[0];

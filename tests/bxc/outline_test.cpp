@@ -97,5 +97,19 @@ TEST_F(OutlineTest, TextWithUnpairedBracketsIsSurvived) {
     }
 }
 
+// A macro counts the arguments of a call as the preprocessor does.
+TEST_F(OutlineTest, MentionsTellMethodsAndCountArguments) {
+    const Outline outline = Make(
+        "float select;\n"
+        "float f() { a.select(1, float2(2, 3)); select(); return select(x[1], {2, 3}, (4, 5)); }\n"
+        "b.select;\n");
+    std::vector<std::pair<bool, size_t>> mentions;
+    for (const Outline::Mention& mention : outline.Mentions("select"))
+        mentions.emplace_back(mention.isMethod, mention.argumentCount);
+    EXPECT_EQ(mentions,
+              (std::vector<std::pair<bool, size_t>>{{false, 0}, {true, 2}, {false, 0}, {false, 4}, {true, 0}}));
+    EXPECT_TRUE(outline.Mentions("none").empty());
+}
+
 }  // namespace
 }  // namespace boxcar

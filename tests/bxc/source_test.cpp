@@ -94,5 +94,17 @@ TEST_F(SourceTest, PlaceIsTheFirstWholeWordOfTheLine) {
     EXPECT_EQ(source.PlaceOf("a.hlsl", 9, "uv"), (SourcePlace{"a.hlsl", 9, 0}));
 }
 
+TEST_F(SourceTest, MacrosAreFoundInEveryFileThatWasRead) {
+    Write("a.hlsl", "#define Other Store2\n#  define\tStore2(a, b) a\n");
+    Source source(m_folder.string(), {});
+    std::string error;
+    EXPECT_FALSE(source.DefinesMacro("Store2"));
+    source.Open("a.hlsl", error);
+    EXPECT_TRUE(source.DefinesMacro("Store2"));
+    EXPECT_TRUE(source.DefinesMacro("Other"));
+    for (const char* name : {"Store", "Store22", "a"})
+        EXPECT_FALSE(source.DefinesMacro(name)) << name;
+}
+
 }  // namespace
 }  // namespace boxcar

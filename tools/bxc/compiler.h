@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "tools/bxc/compile_options.h"
 #include "tools/bxc/diagnostic.h"
-#include "tools/bxc/options.h"
 #include "tools/bxc/source.h"
 
 namespace boxcar {

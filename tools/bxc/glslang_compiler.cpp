@@ -5,9 +5,12 @@
 #include <glslang/build_info.h>
 
 #include <deque>
+#include <map>
+#include <utility>
 
 #include "tools/bxc/compiler.h"
 #include "tools/bxc/glslang_log.h"
+#include "tools/bxc/prelude.h"
 
 namespace boxcar {
 namespace {
@@ -50,10 +53,12 @@ public:
           m_name(file.name.c_str()) {
         for (const Define& define : options.defines)
             m_preamble += fmt::format("#define {} {}\n", define.name, define.value);
+        if (options.rowMajor) m_preamble += "#pragma pack_matrix(row_major)\n";
     }
 
     EShLanguage Stage() const {
-        constexpr EShLanguage kStages[] = {EShLangVertex, EShLangFragment, EShLangCompute};
+        constexpr EShLanguage kStages[] = {EShLangVertex,   EShLangFragment,    EShLangCompute,
+                                           EShLangGeometry, EShLangTessControl, EShLangTessEvaluation};
         return kStages[static_cast<int>(m_options.stage)];
     }
 
@@ -61,8 +66,12 @@ public:
         unsigned messages = EShMsgSpvRules | EShMsgVulkanRules | EShMsgReadHlsl | EShMsgHlslOffsets;
         if (m_options.dx9Compatible) messages |= EShMsgHlslDX9Compatible;
         if (m_options.debugInfo) messages |= EShMsgDebugInfo;
+        if (m_options.native16Bit) messages |= EShMsgHlslEnable16BitTypes;
         return static_cast<EShMessages>(messages);
     }
+
+    // Adds a text before the shader, which has no lines in its messages.
+    void AddPrelude(const std::string& text) { m_preamble += text; }
 
     void Prepare(glslang::TShader& shader) const {
         shader.setStringsWithLengthsAndNames(&m_text, &m_length, &m_name, 1);
@@ -76,6 +85,10 @@ public:
         shader.setHlslIoMapping(true);            // without it the shift of u registers does nothing
         shader.setAutoMapBindings(true);
         shader.setAutoMapLocations(true);
+        shader.setInvertY(m_options.invertY);
+        shader.setDxPositionW(m_options.dxPositionW);
+        ShiftRegisters(shader);
+        if (!m_options.shifts.empty()) return;
         shader.setShiftBinding(glslang::EResSampler, 16);
         shader.setShiftBinding(glslang::EResUav, 32);
         shader.setShiftBinding(glslang::EResTexture, 96);
@@ -90,6 +103,28 @@ public:
     }
 
 private:
+    // A set's own shift goes before that of all. glslang takes a set's shift of 0 for none, so that "all" has to
+    // stand for the other sets one by one.
+    void ShiftRegisters(glslang::TShader& shader) const {
+        constexpr std::pair<char, glslang::TResourceType> kClasses[] = {{'b', glslang::EResUbo},
+                                                                        {'s', glslang::EResSampler},
+                                                                        {'t', glslang::EResTexture},
+                                                                        {'u', glslang::EResUav}};
+        constexpr int kMaxSets = 32;  // that "all" stands for beside sets of their own; drivers have no more
+        for (const auto& [registerClass, type] : kClasses) {
+            std::map<int, unsigned> shifts;  // by set
+            for (const RegisterShift& each : m_options.shifts)
+                if (each.registerClass == registerClass) shifts[each.set] = static_cast<unsigned>(each.shift);
+            const auto all = shifts.find(RegisterShift::kAllSets);
+            if (all != shifts.end() && shifts.size() == 1) shader.setShiftBinding(type, all->second);
+            for (int set = 0; all != shifts.end() && shifts.size() > 1 && set < kMaxSets; ++set)
+                shifts.emplace(set, all->second);
+            for (const auto& [set, shift] : shifts)
+                if (set != RegisterShift::kAllSets)
+                    shader.setShiftBindingForSet(type, shift, static_cast<unsigned>(set));
+        }
+    }
+
     const CompileOptions& m_options;
     const char* m_text;
     int m_length;
@@ -110,9 +145,10 @@ public:
             diagnostics.push_back({{options.file, 0, 0}, Severity::Error, error});
             return result;
         }
-        const Request request(options, *file);
+        Request request(options, *file);
         Includer includer(source);
         result.preprocessed = request.Preprocess(includer);
+        request.AddPrelude(MakePrelude(options, Outline(result.preprocessed, options.file, source), source));
 
         glslang::TShader shader(request.Stage());
         request.Prepare(shader);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <sstream>
@@ -39,9 +40,44 @@ std::optional<SourcePlace> CutPlace(std::string_view& text) {
     return std::nullopt;
 }
 
+// True if an attribute that means nothing to Vulkan stands in the text: it steers Direct3D or its optimizer.
+bool HasDirect3dAttribute(std::string_view text) {
+    constexpr std::string_view kNames[] = {
+        "rootsignature", "shader",   "allow_uav_condition", "fastopt", "call", "forcecase", "isolate", "ifall",
+        "ifany",         "predicate"};
+    std::string word;
+    for (const char c : text) {
+        if (IsWordChar(c)) {
+            word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+            continue;
+        }
+        if (std::ranges::find(kNames, word) != std::end(kNames)) return true;
+        word.clear();
+    }
+    return false;
+}
+
+// A warning that there is nothing to do about:
+//   'RootSignature' : unrecognized attribute
+//   '' : attribute does not apply to a loop
+bool IsIdle(std::string_view message, const SourcePlace& place, const Source& source) {
+    if (message.ends_with(": unrecognized attribute")) return HasDirect3dAttribute(message);
+    if (!message.starts_with("'' : attribute does not apply to a ")) return false;
+    for (const int line : {place.line, place.line - 1})  // an attribute often has a line of its own
+        if (HasDirect3dAttribute(source.Line(place.file, line))) return true;
+    return false;
+}
+
 // "'token' : message", as glslang words it -> what bxc says. The column is that of the token.
 void ReadMessage(std::string_view message, const Source& source, Diagnostic& diagnostic) {
     std::string_view rest = message;
+    constexpr std::string_view kMissing = "Missing functionality: ";
+    if (message.starts_with(kMissing)) {
+        diagnostic.text =
+            fmt::format("the compiler cannot translate this, which is its fault and not the shader's: {}",
+                        message.substr(kMissing.size()));
+        return;
+    }
     const auto token = message.starts_with('\'') ? CutAt(rest, "' : ") : std::nullopt;
     if (!token) {
         diagnostic.text = message;
@@ -96,6 +132,7 @@ void AppendGlslangLog(const std::string& log, const std::string& mainFile, const
         if (text.starts_with("WARNING: ") || text.starts_with("ERROR: ")) CutAt(text, ": ");
         if (const auto place = CutPlace(text)) diagnostic.place = *place;
         if (text.ends_with(" compilation errors.  No code generated.") && HasErrors(diagnostics)) continue;
+        if (diagnostic.severity == Severity::Warning && IsIdle(text, diagnostic.place, source)) continue;
         ReadMessage(text, source, diagnostic);
         if (std::ranges::find(diagnostics, diagnostic) == diagnostics.end())
             diagnostics.push_back(std::move(diagnostic));

@@ -13,6 +13,7 @@ namespace boxcar {
 //   ERROR: file:line: 'token' : message
 //   WARNING: message
 //   file(line): error at column N, HLSL parsing failed.
+// Warnings of attributes that mean nothing to Vulkan, such as RootSignature, are left out.
 void AppendGlslangLog(const std::string& log, const std::string& mainFile, const Source& source,
                       Diagnostics& diagnostics);
 

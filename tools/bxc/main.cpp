@@ -1,6 +1,6 @@
 // bxc: HLSL text -> SPIR-V that is proven valid, its layout and its dependencies. CompileShader() is the pipeline.
 //
-// Non-goals: a preprocessor, linker or optimiser of its own; geometry, hull and ray stages; Direct3D bytecode.
+// Non-goals: a preprocessor, linker or optimiser of its own; ray and mesh stages; Direct3D bytecode.
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -9,12 +9,15 @@
 #include <optional>
 #include <set>
 
+#include "tools/bxc/blame.h"
 #include "tools/bxc/compiler.h"
+#include "tools/bxc/contraction.h"
 #include "tools/bxc/embed.h"
 #include "tools/bxc/manifest.h"
 #include "tools/bxc/optimize.h"
 #include "tools/bxc/options.h"
 #include "tools/bxc/reflect.h"
+#include "tools/bxc/repair.h"
 #include "tools/bxc/report.h"
 #include "tools/bxc/rules.h"
 #include "tools/bxc/source.h"
@@ -26,14 +29,39 @@
 namespace boxcar {
 namespace {
 
+// The compiler's SPIR-V, with what is known to be wrong in it put right.
+CompiledShader CompileAndRepair(Compiler& compiler, const CompileOptions& options, Source& source,
+                                Diagnostics& diagnostics) {
+    CompiledShader compiled = compiler.Compile(options, source, diagnostics);
+    compiled.spirv = Repair(compiled.spirv, options.stage);
+    if (options.strictMath) compiled.spirv = ForbidContraction(compiled.spirv);
+    return compiled;
+}
+
+// The module of a step, of the same shader with source lines; empty if it comes to none.
+std::vector<uint32_t> WithLines(Compiler& compiler, CompileOptions options, Source& source, ValidationStep step) {
+    options.debugInfo = true;
+    Diagnostics untold;
+    std::vector<uint32_t> spirv = CompileAndRepair(compiler, options, source, untold).spirv;
+    if (step == ValidationStep::BeforeLegalization || spirv.empty()) return spirv;
+    spirv = Optimize(spirv, options.optimization, options.file, untold);
+    return StripSemantics(spirv, options.file, untold);
+}
+
+void Validate(Compiler& compiler, const std::vector<uint32_t>& spirv, ValidationStep step,
+              const CompileOptions& options, Source& source, Diagnostics& diagnostics) {
+    if (const auto fault = FindFault(spirv, step))
+        diagnostics.push_back(BlameCompiler(*fault, step, options, WithLines(compiler, options, source, step)));
+}
+
 // From text to what the rules look at. Ends early where there are errors, or no entry point.
 RuleSubject RunFrontEnd(Compiler& compiler, const CompileOptions& options, Source& source, Diagnostics& diagnostics) {
-    const CompiledShader compiled = compiler.Compile(options, source, diagnostics);
+    const CompiledShader compiled = CompileAndRepair(compiler, options, source, diagnostics);
     RuleSubject subject{options, compiled, Outline(compiled.preprocessed, options.file, source), {}, {}};
     const std::vector<uint32_t>& spirv = subject.compiled.spirv;
     if (!subject.compiled.hasEntry || HasErrors(diagnostics)) return subject;
 
-    Validate(spirv, ValidationStep::BeforeLegalization, options.file, diagnostics);
+    Validate(compiler, spirv, ValidationStep::BeforeLegalization, options, source, diagnostics);
     if (HasErrors(diagnostics)) return subject;
 
     subject.declared = Reflect(spirv, ReflectScope::All, options, diagnostics);
@@ -41,12 +69,12 @@ RuleSubject RunFrontEnd(Compiler& compiler, const CompileOptions& options, Sourc
     return subject;
 }
 
-// The vertex shader that --after names, with the macros and folders of the pixel shader.
+// The shader that --after names, with the macros and folders of the one that it feeds.
 CompileOptions PartnerOptions(const CompileOptions& options) {
     CompileOptions partner = options;
     partner.file = options.after;
-    partner.stage = ShaderStage::Vertex;
-    partner.entry = "main";
+    partner.stage = options.afterStage;
+    partner.entry = options.afterEntry;
     return partner;
 }
 
@@ -82,7 +110,7 @@ CompileResult CompileShader(Compiler& compiler, const ShaderJob& job) {
     spirv = StripSemantics(spirv, options.file, diagnostics);
     if (failed()) return result;
 
-    Validate(spirv, ValidationStep::Final, options.file, diagnostics);
+    Validate(compiler, spirv, ValidationStep::Final, options, source, diagnostics);
     if (failed()) return result;
 
     result.spirv = std::move(spirv);
@@ -125,7 +153,8 @@ void WriteBuildDepfile(const std::vector<ShaderJob>& jobs, const Options& option
 bool Build(const Options& options) {
     Report report;
     Diagnostics diagnostics;
-    const std::vector<ShaderJob> jobs = ReadManifest(options.manifest, options.outputDir, diagnostics);
+    const std::vector<ShaderJob> jobs =
+        ReadManifest(options.manifest, options.outputDir, options.compile, diagnostics);
     report.Add(diagnostics, "");
     if (HasErrors(diagnostics)) return false;
 

@@ -68,6 +68,19 @@ size_t Outline::ClosingOf(size_t opening) const {
     return m_tokens.size();
 }
 
+// The preprocessor's reading: only round brackets keep a comma from ending an argument.
+size_t Outline::ArgumentCount(size_t opening) const {
+    if (Text(opening) != "(") return 0;
+    const size_t closing = ClosingOf(opening);
+    size_t count = closing > opening + 1 ? 1 : 0;
+    int nested = 0;
+    for (size_t i = opening + 1; i < closing; ++i) {
+        nested += (Text(i) == "(") - (Text(i) == ")");
+        if (Text(i) == "," && nested == 0) ++count;
+    }
+    return count;
+}
+
 size_t Outline::FindFunction(std::string_view name) const {
     for (size_t i = 0; i < m_tokens.size(); ++i) {
         if (m_tokens[i].depth != 0 || Text(i) != name || Text(i + 1) != "(") continue;
@@ -108,6 +121,13 @@ SourcePlace Outline::Global(std::string_view name) const {
     for (size_t i = 0; i < m_tokens.size(); ++i)
         if (m_tokens[i].depth == 0 && Text(i) == name) return PlaceOf(i);
     return PlaceOf(kNone);
+}
+
+std::vector<Outline::Mention> Outline::Mentions(std::string_view name) const {
+    std::vector<Mention> mentions;
+    for (size_t i = 0; i < m_tokens.size(); ++i)
+        if (Text(i) == name) mentions.push_back({i > 0 && Text(i - 1) == ".", ArgumentCount(i + 1)});
+    return mentions;
 }
 
 std::optional<SourcePlace> Outline::Function(std::string_view name) const {

@@ -25,6 +25,13 @@ public:
     // A function with a body, if there is one.
     std::optional<SourcePlace> Function(std::string_view name) const;
 
+    // Every place that a name stands in.
+    struct Mention {
+        bool isMethod = false;     // behind a dot
+        size_t argumentCount = 0;  // of a call, as a macro of that name would count them; 0: not a call, or none
+    };
+    std::vector<Mention> Mentions(std::string_view name) const;
+
     // What the function takes: a parameter, or a field of a struct that is one. What it returns: a field of the
     // struct that it returns, an out parameter, or the function itself for "". An index is passed over: "uv[3]".
     SourcePlace Input(std::string_view function, std::string_view name) const;
@@ -44,6 +51,7 @@ private:
     std::string_view Text(size_t index) const;  // "" behind the last token
     SourcePlace PlaceOf(size_t index) const;
     size_t ClosingOf(size_t opening) const;
+    size_t ArgumentCount(size_t opening) const;
     size_t FindFunction(std::string_view name) const;
     size_t FindVariable(std::string_view name, size_t owner, size_t opening) const;
     size_t FindField(std::string_view name, std::string_view structName, size_t before) const;

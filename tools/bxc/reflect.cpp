@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <span>
 #include <spirv_cross.hpp>
 #include <tuple>
 
@@ -32,11 +33,14 @@ void AddMembers(const spirv_cross::Compiler& module, const SPIRType& type, const
     }
 }
 
-uint32_t CountOf(const SPIRType& type) {
+uint32_t CountOf(std::span<const uint32_t> lengths) {
     uint32_t count = 1;
-    for (const uint32_t length : type.array)
+    for (const uint32_t length : lengths)
         count *= length;
     return count;
+}
+uint32_t CountOf(const SPIRType& type) {
+    return CountOf({type.array.data(), type.array.size()});
 }
 
 TextureDimension DimensionOf(const SPIRType& type) {
@@ -90,8 +94,17 @@ std::string SemanticName(const std::string& decoration, const std::string& varia
     return fmt::format("{}{}", decoration.substr(0, digits), index + element);
 }
 
+enum class Direction { In, Out };
+
+// True if a stage has each of its variables once a vertex, but for those of a whole patch.
+bool IsOncePerVertex(ShaderStage stage, Direction direction) {
+    if (direction == Direction::Out) return stage == ShaderStage::Hull;
+    return stage == ShaderStage::Hull || stage == ShaderStage::Domain || stage == ShaderStage::Geometry;
+}
+
 std::vector<LayoutVariable> MakeVariables(const spirv_cross::Compiler& module,
-                                          const spirv_cross::SmallVector<spirv_cross::Resource>& resources) {
+                                          const spirv_cross::SmallVector<spirv_cross::Resource>& resources,
+                                          bool oncePerVertex) {
     std::vector<LayoutVariable> variables;
     for (const spirv_cross::Resource& resource : resources) {
         const SPIRType& type = module.get_type(resource.type_id);
@@ -100,7 +113,10 @@ std::vector<LayoutVariable> MakeVariables(const spirv_cross::Compiler& module,
         variable.semantic =
             SemanticName(module.get_decoration_string(resource.id, spv::DecorationHlslSemanticGOOGLE), variable.name);
         variable.location = module.get_decoration(resource.id, spv::DecorationLocation);
-        variable.locationCount = CountOf(type) * std::max(type.columns, 1u);
+        std::span<const uint32_t> lengths(type.array.data(), type.array.size());  // the outermost is last
+        if (oncePerVertex && !lengths.empty() && !module.has_decoration(resource.id, spv::DecorationPatch))
+            lengths = lengths.first(lengths.size() - 1);
+        variable.locationCount = CountOf(lengths) * std::max(type.columns, 1u);
         variable.type = TypeName(type);
         variables.push_back(std::move(variable));
     }
@@ -134,12 +150,13 @@ ShaderLayout MakeLayout(const std::vector<uint32_t>& spirv, ReflectScope scope, 
         return std::tie(resource.set, resource.binding, resource.name);
     });
 
-    layout.inputs = MakeVariables(module, found.stage_inputs);
-    layout.outputs = MakeVariables(module, found.stage_outputs);
-    layout.writesPosition =
-        options.stage == ShaderStage::Vertex && std::ranges::any_of(found.builtin_outputs, [](const auto& output) {
-            return output.builtin == spv::BuiltInPosition;
-        });
+    layout.inputs = MakeVariables(module, found.stage_inputs, IsOncePerVertex(options.stage, Direction::In));
+    layout.outputs = MakeVariables(module, found.stage_outputs, IsOncePerVertex(options.stage, Direction::Out));
+    const bool feedsRasterizer = options.stage == ShaderStage::Vertex || options.stage == ShaderStage::Domain ||
+                                 options.stage == ShaderStage::Geometry;
+    layout.writesPosition = feedsRasterizer && std::ranges::any_of(found.builtin_outputs, [](const auto& output) {
+                                return output.builtin == spv::BuiltInPosition;
+                            });
     if (options.stage == ShaderStage::Compute)
         for (uint32_t i = 0; i < 3; ++i)
             layout.threadGroup[i] = module.get_execution_mode_argument(spv::ExecutionModeLocalSize, i);

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "tools/bxc/compile_options.h"
 #include "tools/bxc/diagnostic.h"
-#include "tools/bxc/options.h"
 #include "tools/layout/shader_layout.h"
 
 namespace boxcar {

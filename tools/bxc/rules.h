@@ -23,7 +23,7 @@ struct RuleSubject {
 
 // Appends an error, with its place, for everything that the rule refuses, and notes that belong to it.
 //
-//   before  the vertex shader that --after names, or nullptr
+//   before  the shader that --after names, or nullptr
 using RuleCheck = void(const RuleSubject& shader, const RuleSubject* before, Diagnostics& diagnostics);
 
 // Applies every rule, in the order of their names. Each error ends in the rule's name: [binding_clash].

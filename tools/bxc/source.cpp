@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cerrno>
 #include <cstring>
@@ -115,6 +116,20 @@ std::string_view Source::Line(std::string_view name, int line) const {
 SourcePlace Source::PlaceOf(std::string_view name, int line, std::string_view word) const {
     const size_t at = FindWord(Line(name, line), word);
     return {std::string(name), line, at == std::string_view::npos ? 0 : static_cast<int>(at) + 1};
+}
+
+bool Source::DefinesMacro(std::string_view name) const {
+    constexpr std::string_view kDefine = "define", kSpaces = " \t";
+    const auto definesIt = [&](std::string_view text) {
+        for (size_t at = FindWord(text, kDefine); at != std::string_view::npos; at = FindWord(text, kDefine)) {
+            text.remove_prefix(at + kDefine.size());
+            std::string_view rest = text;
+            rest.remove_prefix(std::min(rest.find_first_not_of(kSpaces), rest.size()));
+            if (rest.starts_with(name) && (rest.size() == name.size() || !IsWordChar(rest[name.size()]))) return true;
+        }
+        return false;
+    };
+    return std::ranges::any_of(m_files, [&](const auto& file) { return definesIt(file.second.text); });
 }
 
 }  // namespace boxcar

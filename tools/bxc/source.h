@@ -37,6 +37,9 @@ public:
     // That line, with the column at which `word` first stands in it as a whole word, if it does.
     SourcePlace PlaceOf(std::string_view name, int line, std::string_view word) const;
 
+    // True if a file that was read has the line `#define NAME ..`, in a part that is compiled or in another.
+    bool DefinesMacro(std::string_view name) const;
+
     // The files read so far, in the order of the first read.
     const std::vector<std::string>& Names() const { return m_names; }
 

@@ -18,22 +18,17 @@ std::string OneLine(const std::string& message) {
 
 }  // namespace
 
-void Validate(const std::vector<uint32_t>& spirv, ValidationStep step, const std::string& file,
-              Diagnostics& diagnostics) {
-    const bool final = step == ValidationStep::Final;
+std::optional<SpirvFault> FindFault(const std::vector<uint32_t>& spirv, ValidationStep step) {
     spvtools::ValidatorOptions options;
-    options.SetBeforeHlslLegalization(!final);
+    options.SetBeforeHlslLegalization(step == ValidationStep::BeforeLegalization);
 
     spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_1);
-    const size_t before = diagnostics.size();
-    tools.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t&, const char* message) {
-        diagnostics.push_back({{file, 0, 0},
-                               Severity::Error,
-                               fmt::format("invalid SPIR-V {}: {}",
-                                           final ? "after optimisation" : "from the compiler", OneLine(message))});
+    std::optional<SpirvFault> fault;
+    tools.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t& place, const char* message) {
+        if (!fault) fault = SpirvFault{OneLine(message), place.index};
     });
-    if (!tools.Validate(spirv.data(), spirv.size(), options) && diagnostics.size() == before)
-        diagnostics.push_back({{file, 0, 0}, Severity::Error, "invalid SPIR-V, and the validator does not say why"});
+    if (tools.Validate(spirv.data(), spirv.size(), options)) return std::nullopt;
+    return fault ? fault : SpirvFault{"the validator does not say why", 0};
 }
 
 }  // namespace boxcar

@@ -1,21 +1,25 @@
 // Proves that SPIR-V keeps the rules of Vulkan 1.1. Here SPIRV-Tools does.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
-
-#include "tools/bxc/diagnostic.h"
 
 namespace boxcar {
 
 enum class ValidationStep {
-    BeforeLegalization,  // allows what HLSL leaves for the optimiser to put right, such as copies of textures
+    BeforeLegalization,  // allows what HLSL leaves for the optimizer to put right, such as copies of textures
     Final,               // as strict as a Vulkan driver may be
 };
 
-// Appends what is wrong to `diagnostics`, as errors about `file`.
-void Validate(const std::vector<uint32_t>& spirv, ValidationStep step, const std::string& file,
-              Diagnostics& diagnostics);
+struct SpirvFault {
+    std::string text;        // what the validator says, in one line
+    size_t instruction = 0;  // number of the instruction, from 1; 0 where it does not tell
+};
+
+// The first thing that is wrong, if anything is.
+std::optional<SpirvFault> FindFault(const std::vector<uint32_t>& spirv, ValidationStep step);
 
 }  // namespace boxcar

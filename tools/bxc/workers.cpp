@@ -23,8 +23,11 @@
 namespace boxcar {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Define, name, value)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RegisterShift, registerClass, shift, set)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CompileOptions, file, stage, entry, defines, includeDirs, optimization, debugInfo,
-                                   warningsAreErrors, dx9Compatible, hlslVersion, after, output)
+                                   warningsAreErrors, dx9Compatible, hlslVersion, rowMajor, strictMath, native16Bit,
+                                   invertY, dxPositionW, shifts, after, afterStage, afterEntry, output, binary,
+                                   outputSuffix, header, variable)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ShaderJob, root, options, output)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SourcePlace, file, line, column)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Diagnostic, place, severity, text)

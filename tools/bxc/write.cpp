@@ -8,12 +8,14 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <deque>
 #include <filesystem>
 #include <fstream>
 #include <span>
 #include <sstream>
 
 #include "tools/bxc/compiler.h"
+#include "tools/bxc/header.h"
 #include "tools/bxc/version.h"
 #include "tools/layout/error.h"
 #include "tools/layout/output_file.h"
@@ -74,9 +76,14 @@ std::string RecordOf(const ShaderJob& job) {
 }  // namespace
 
 OutputFiles FilesOf(const ShaderJob& job) {
-    std::string base = job.output;
-    if (base.ends_with(".spv")) base.resize(base.size() - 4);
-    return {job.output, base + ".layout.json", base + ".d"};
+    OutputFiles files{job.output, job.options.header, "", ""};
+    std::string base = files.spirv.empty() || IsDevice(files.spirv) ? files.header : files.spirv;
+    for (const std::string_view ending : {".spv", ".h"})
+        if (base.ends_with(ending)) base.resize(base.size() - ending.size());
+    if (base.empty() || IsDevice(base)) return files;
+    files.layout = base + ".layout.json";
+    files.depfile = base + ".d";
+    return files;
 }
 
 FileTime Now() {
@@ -140,17 +147,20 @@ void WriteOutputs(const ShaderJob& job, const CompileResult& result, FileTime st
     const OutputFiles files = FilesOf(job);
     const std::string_view spirvBytes(reinterpret_cast<const char*>(result.spirv.data()),
                                       result.spirv.size() * sizeof(uint32_t));
-    PendingFile spirv(files.spirv, std::string(spirvBytes));
-    if (IsDevice(files.spirv)) return;
-
-    std::set<std::string> dependencies;
-    for (const std::string& name : result.dependencies)
-        dependencies.insert((fs::path(job.root) / name).lexically_normal().generic_string());
-    PendingFile layout(files.layout, ShaderLayoutToJson(result.layout));
-    PendingFile depfile(files.depfile, DepfileText(RecordOf(job), files.spirv, dependencies));
-    spirv.Commit();
-    layout.Commit();
-    depfile.Commit();
+    std::deque<PendingFile> pending;
+    if (!files.spirv.empty()) pending.emplace_back(files.spirv, std::string(spirvBytes));
+    if (!files.header.empty()) pending.emplace_back(files.header, CHeader(result.spirv, job.options));
+    if (!files.depfile.empty()) {
+        std::set<std::string> dependencies;
+        for (const std::string& name : result.dependencies)
+            dependencies.insert((fs::path(job.root) / name).lexically_normal().generic_string());
+        const bool hasSpirv = !files.spirv.empty() && !IsDevice(files.spirv);
+        const std::string& target = hasSpirv ? files.spirv : files.header;
+        pending.emplace_back(files.layout, ShaderLayoutToJson(result.layout));
+        pending.emplace_back(files.depfile, DepfileText(RecordOf(job), target, dependencies));
+    }
+    for (PendingFile& file : pending)
+        file.Commit();
 
     const timespec stamp = {started.nanoseconds / 1'000'000'000, started.nanoseconds % 1'000'000'000};
     const timespec times[2] = {stamp, stamp};
@@ -159,9 +169,8 @@ void WriteOutputs(const ShaderJob& job, const CompileResult& result, FileTime st
 
 void RemoveOutputs(const ShaderJob& job) {
     const OutputFiles files = FilesOf(job);
-    if (IsDevice(files.spirv)) return;
-    for (const std::string& file : {files.depfile, files.layout, files.spirv})
-        unlink(file.c_str());
+    for (const std::string& file : {files.depfile, files.layout, files.header, files.spirv})
+        if (!file.empty() && !IsDevice(file)) unlink(file.c_str());
 }
 
 void WriteFile(const std::string& path, std::string_view bytes) {

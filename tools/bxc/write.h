@@ -9,9 +9,12 @@
 
 namespace boxcar {
 
-// OUT.spv, OUT.layout.json and OUT.d of an output named OUT.spv.
+// OUT.spv, OUT.layout.json and OUT.d of an output named OUT.spv, and the header of -Fh; "" for each that is not to be
+// written. A device such as /dev/stdout gets the SPIR-V only. Where there is no .spv, the others are named after the
+// header.
 struct OutputFiles {
     std::string spirv;
+    std::string header;
     std::string layout;
     std::string depfile;
 };
@@ -23,12 +26,12 @@ struct FileTime {
 };
 FileTime Now();
 
-// True if all three files are there, were made by this program with the same flags, and nothing they depend on has
+// True if all its files are there, were made by this program with the same flags, and nothing they depend on has
 // changed since.
 bool IsUpToDate(const ShaderJob& job);
 
-// Writes the three files under temporary names, then gives them their own: they are complete or unchanged. A device
-// such as /dev/stdout gets the SPIR-V only. The depfile is stamped with `started`, the time before anything was read,
+// Writes the files under temporary names, then gives them their own: they are complete or unchanged. The depfile is
+// stamped with `started`, the time before anything was read,
 // so that a file which was edited meanwhile counts as changed. Throws Error naming the file that cannot be written.
 void WriteOutputs(const ShaderJob& job, const CompileResult& result, FileTime started);
 

@@ -12,7 +12,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::pair<ShaderStage, const char*> kStages[] = {
-    {ShaderStage::Vertex, "vertex"}, {ShaderStage::Pixel, "pixel"}, {ShaderStage::Compute, "compute"}};
+    {ShaderStage::Vertex, "vertex"},     {ShaderStage::Pixel, "pixel"}, {ShaderStage::Compute, "compute"},
+    {ShaderStage::Geometry, "geometry"}, {ShaderStage::Hull, "hull"},   {ShaderStage::Domain, "domain"}};
 
 constexpr std::pair<ResourceKind, const char*> kResourceKinds[] = {
     {ResourceKind::ConstantBuffer, "constantBuffer"},

@@ -13,7 +13,7 @@
 
 namespace boxcar {
 
-enum class ShaderStage { Vertex, Pixel, Compute };
+enum class ShaderStage { Vertex, Pixel, Compute, Geometry, Hull, Domain };
 
 enum class ResourceKind {
     ConstantBuffer,        // cbuffer
@@ -68,7 +68,7 @@ struct ShaderLayout {
     std::vector<LayoutResource> resources;  // by set, then binding
     std::vector<LayoutVariable> inputs;     // by location
     std::vector<LayoutVariable> outputs;    // by location
-    bool writesPosition = false;            // a vertex shader that writes SV_Position
+    bool writesPosition = false;            // a vertex, domain or geometry shader that writes SV_Position
     uint32_t threadGroup[3] = {0, 0, 0};    // numthreads of a compute shader, else 0
 
     bool operator==(const ShaderLayout&) const = default;

@@ -12,14 +12,15 @@ uint64_t End(const LayoutResource& resource) {
     return resource.count == 0 ? std::numeric_limits<uint64_t>::max() : uint64_t{resource.binding} + resource.count;
 }
 
-// "t3", "b0, space1"
-std::string Register(uint32_t set, uint32_t binding) {
+// "register(t3)", "register(b0, space1)"; with shifts of the user's own, "binding 3 of set 0"
+std::string Place(uint32_t set, uint32_t binding, const CompileOptions& options) {
+    if (!options.shifts.empty()) return fmt::format("binding {} of set {}", binding, set);
     const auto [letter, base] = binding >= 96   ? std::pair('t', 96u)
                                 : binding >= 32 ? std::pair('u', 32u)
                                 : binding >= 16 ? std::pair('s', 16u)
                                                 : std::pair('b', 0u);
-    return set == 0 ? fmt::format("{}{}", letter, binding - base)
-                    : fmt::format("{}{}, space{}", letter, binding - base, set);
+    return set == 0 ? fmt::format("register({}{})", letter, binding - base)
+                    : fmt::format("register({}{}, space{})", letter, binding - base, set);
 }
 
 }  // namespace
@@ -33,8 +34,8 @@ void Check(const RuleSubject& shader, const RuleSubject*, Diagnostics& diagnosti
                 early.kind != ResourceKind::PushConstants && late.kind != ResourceKind::PushConstants;
             if (!haveBindings || early.set != late.set || late.binding >= End(early)) continue;
             diagnostics.push_back({shader.outline.Global(late.name), Severity::Error,
-                                   fmt::format("'{}' is on register({}), where '{}' is", late.name,
-                                               Register(late.set, late.binding), early.name)});
+                                   fmt::format("'{}' is on {}, where '{}' is", late.name,
+                                               Place(late.set, late.binding, shader.options), early.name)});
             diagnostics.push_back({shader.outline.Global(early.name), Severity::Note,
                                    fmt::format("'{}' is declared here", early.name)});
         }

@@ -1,4 +1,4 @@
-// A pixel shader that does not take exactly what its vertex shader writes. Locations are numbered in the order of
+// A shader that does not take exactly what the one before it writes. Locations are numbered in the order of
 // declaration and semantics are ignored, so another order or a subset reads another output's value.
 #include <cstdlib>
 #include <map>
@@ -23,6 +23,15 @@ std::map<uint32_t, LayoutVariable> ByLocation(const std::vector<LayoutVariable>&
     return byLocation;
 }
 
+const char* NameOf(ShaderStage stage) {
+    switch (stage) {
+        case ShaderStage::Hull: return "hull";
+        case ShaderStage::Domain: return "domain";
+        case ShaderStage::Geometry: return "geometry";
+        default: return "vertex";
+    }
+}
+
 std::string Text(const LayoutVariable& variable) {
     return fmt::format("{} {} : {}", variable.type, variable.name, variable.semantic);
 }
@@ -39,16 +48,17 @@ void Check(const RuleSubject& shader, const RuleSubject* before, Diagnostics& di
             {before->outline.Output(before->options.entry, out.name), Severity::Note, "it is written here"});
     };
     const std::string& entry = shader.options.entry;
+    const char* const writer = NameOf(before->options.stage);
     const auto written = ByLocation(before->declared.outputs);
     const auto taken = ByLocation(shader.declared.inputs);
     for (const auto& [location, in] : taken) {
         const SourcePlace place = shader.outline.Input(entry, in.name);
         const auto out = written.find(location);
         if (out == written.end()) {
-            error(place, fmt::format("the vertex shader does not write '{}'", Text(in)));
+            error(place, fmt::format("the {} shader does not write '{}'", writer, Text(in)));
         } else if (in.type != out->second.type || in.semantic != out->second.semantic) {
-            error(place, fmt::format("'{}' has location {}, where the vertex shader writes '{}'", Text(in), location,
-                                     Text(out->second)));
+            error(place, fmt::format("'{}' has location {}, where the {} shader writes '{}'", Text(in), location,
+                                     writer, Text(out->second)));
             noteWhereWritten(out->second);
         }
     }

@@ -1,0 +1,29 @@
+// Reads command lines in the manner of fxc, dxc and GNU: -T ps, /T ps, -Tps, --depfile=FILE.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace boxcar {
+
+struct Flag {
+    std::string_view name;  // as typed, with its dashes; one dash may be a slash too
+    size_t valueCount = 0;  // words that follow
+    std::function<void(std::span<const std::string> values)> apply;
+    bool joined = false;  // the value may follow without a space: -DNAME
+    bool told = true;     // named among those that are accepted
+};
+
+// Applies the flags among `words` and returns the others. Throws UsageError for a flag that is none of `flags`, and
+// for one without its values.
+std::vector<std::string> ParseFlags(std::span<const std::string> words, std::span<const Flag> flags);
+
+// The number in `text`. Throws UsageError naming the flag and the limits.
+int ParseNumber(std::string_view flag, const std::string& text, int min, int max);
+
+bool IsIdentifier(std::string_view text);
+
+}  // namespace boxcar
