@@ -136,7 +136,8 @@ void AddTableOptions(CLI::App& command, TableOptions& options, const std::string
                      const std::string& precisionDefault) {
     command
         .add_option("--precision", options.precisionWord,
-                    "fp32: floats, which round; u32, u64: exact integers modulo 2^32, 2^64 (default: " +
+                    "fp32: floats, which round; u32, u64: integers modulo 2^32, 2^64, of the codes that the manual names "
+                    "(default: " +
                         precisionDefault + ")")
         ->check(CLI::IsMember({"fp32", "u32", "u64"}))
         ->type_name("P");
