@@ -150,10 +150,9 @@ CodePlan FittingCodes(const Picture& picture, const std::string& name, Transfer 
         if (plan.rounds.back().codes.largest < kLeastCodes) {
             const SATCodes least{1, kLeastCodes, isSigned};
             const uint32_t side = SATLargestWidthTexels(SATPrecision::U64, least, kernel.order, kernel.isWhole);
-            throw Error(
-                "{}: sums over boxes of {:g} x {:g} texels, {} times on either axis, do not fit into 64 bits; {} x "
-                "{} do",
-                name, kernel.sizeTexels.x, kernel.sizeTexels.y, kernel.order, side, side);
+            constexpr const char* kNames[] = {"box", "tent", "parabolic kernel"};
+            throw Error("{}: a {} of {:g} x {:g} texels is too wide for sums of 64 bits; {} x {} fits", name,
+                        kNames[kernel.order - 1], kernel.sizeTexels.x, kernel.sizeTexels.y, side, side);
         }
         largest = 0.5 * plan.rounds.back().Step();
     } while (!IsFineEnough(picture, plan.rounds, tolerance));

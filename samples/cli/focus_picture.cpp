@@ -43,7 +43,8 @@ std::vector<glm::vec4> FocusPicture(Device& device, const Picture& picture, cons
 
 std::vector<glm::vec4> FocusPictureByLayers(Device& device, const Picture& picture, const std::string& name,
                                             Transfer transfer, const FocusRequest& request,
-                                            const std::vector<glm::vec4>& disparity, SampleType, Stats& stats) {
+                                            const std::vector<glm::vec4>& disparity, SampleType result,
+                                            Stats& stats) {
     constexpr int kLayersPerSide = 8;
     if (HasAlpha(picture))
         throw Error("{}: {} channels; --method layered takes pictures without alpha", name, picture.channels);
@@ -59,18 +60,19 @@ std::vector<glm::vec4> FocusPictureByLayers(Device& device, const Picture& pictu
     const LayeredDepthOfFieldDesc desc{.extent = {picture.widthTexels, picture.heightTexels},
                                        .boxes = request.boxes,
                                        .sides = request.sides,
-                                       .largestTexels = request.largestTexels};
+                                       .largestTexels = request.largestTexels,
+                                       .codes = LensCodes(result == SampleType::Unorm8 ? 20 : 28)};
     LayeredDepthOfField effect(device, desc);
     const Image image = Upload(device, desc.extent, std::span<const glm::vec4>(texels), "picture and disparity");
     CommandList commands(device, CommandList::Timing::On);
-    const Image& result = effect.Record(commands, image, nullptr, request.lens, nearest, kLayersPerSide);
+    const Image& focused = effect.Record(commands, image, nullptr, request.lens, nearest, kLayersPerSide);
     commands.SubmitAndWait();
     stats.precision = SATPrecisionName(effect.Precision());
-    stats.step = 1.0 / kLensCodes.scale;
+    stats.step = 1.0 / desc.codes.scale;
     stats.tableBytes = SummedAreaTableBytes(desc.extent, effect.Precision());
     stats.passes = commands.PassTimes();
     stats.deviceBytes = device.MemoryBytes();
-    return Download<glm::vec4>(device, result);
+    return Download<glm::vec4>(device, focused);
 }
 
 }  // namespace boxcar

@@ -31,8 +31,8 @@ std::vector<glm::vec4> FocusPicture(Device& device, const Picture& picture, cons
                                     Transfer transfer, const FocusRequest& request,
                                     const std::vector<glm::vec4>& disparity, SampleType result, Stats& stats);
 
-// The same in layers of depth, which do not bleed into each other (layered_depth_of_field.h). No table is as large as
-// the picture's own precision asks for: light is summed in steps of Stats::step.
+// The same in layers of depth, which do not bleed into each other (layered_depth_of_field.h). Light is summed in
+// steps of Stats::step, 2^-20 for 8-bit results and 2^-28 for others.
 //
 // Throws Error, which begins with `name`: a picture with alpha, or brighter than kBrightestLensLight.
 std::vector<glm::vec4> FocusPictureByLayers(Device& device, const Picture& picture, const std::string& name,

@@ -138,7 +138,8 @@ void Inspect(const InspectOptions& options) {
         std::string text;
         for (const auto& [key, value] : summary.items())
             if (!value.is_null())
-                text += fmt::format("{:6} {}\n", key, value.is_string() ? Printable(value.get<std::string>()) : value.dump());
+                text += fmt::format("{:6} {}\n", key,
+                                    value.is_string() ? Printable(value.get<std::string>()) : value.dump());
         PrintDocument(text);
     }
     device.RequireClean();

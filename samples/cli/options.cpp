@@ -135,10 +135,11 @@ uint32_t TapsOption::Count() const {
 void AddTableOptions(CLI::App& command, TableOptions& options, const std::string& biasDefault,
                      const std::string& precisionDefault) {
     command
-        .add_option("--precision", options.precisionWord,
-                    "fp32: floats, which round; u32, u64: integers modulo 2^32, 2^64, of the codes that the manual names "
-                    "(default: " +
-                        precisionDefault + ")")
+        .add_option(
+            "--precision", options.precisionWord,
+            "fp32: floats, which round; u32, u64: integers modulo 2^32, 2^64, of the codes that the manual names "
+            "(default: " +
+                precisionDefault + ")")
         ->check(CLI::IsMember({"fp32", "u32", "u64"}))
         ->type_name("P");
     command

@@ -33,7 +33,8 @@ const char* WhatIsSummed(const Picture& picture, Transfer transfer, SATPrecision
 
 // The largest code that integers would sum, and whether there are negative ones.
 SATCodes CodesToExplain(const Picture& picture, Transfer transfer) {
-    if (picture.stored != SampleType::Float32) return NamedCodes(picture, "", transfer, SATPrecision::U64).rounds[0].codes;
+    if (picture.stored != SampleType::Float32)
+        return NamedCodes(picture, "", transfer, SATPrecision::U64).rounds[0].codes;
     SATCodes codes{0x1p24f, 0, false};
     for (const float sample : picture.samples) {
         codes.largest = std::max(codes.largest, std::abs(std::round(sample * 0x1p24)));

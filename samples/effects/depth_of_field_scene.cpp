@@ -113,10 +113,10 @@ float LargestTexels(Extent2D extent) {
 class SingleTable {
 public:
     SingleTable(Device& device, Extent2D extent, uint32_t boxes)
-        : m_precision(SATExactPrecision(glm::vec2(LargestTexels(extent)), 1, false, kLensCodes)),
+        : m_precision(SATExactPrecision(glm::vec2(LargestTexels(extent)), 1, false, LensCodes(16))),
           m_widths(device, extent, LargestTexels(extent)),
-          m_table(device, {.extent = extent, .precision = m_precision, .codes = kLensCodes}),
-          m_filter(device, {.extent = extent, .precision = m_precision, .boxes = boxes, .codes = kLensCodes}) {}
+          m_table(device, {.extent = extent, .precision = m_precision, .codes = LensCodes(16)}),
+          m_filter(device, {.extent = extent, .precision = m_precision, .boxes = boxes, .codes = LensCodes(16)}) {}
 
     const Image& Record(CommandList& commands, const Image& nearest, const Lens& lens) {
         const SATWidths widths = m_widths.Record(commands, nearest, lens);

@@ -36,11 +36,11 @@ std::vector<float> Diameters(float largestTexels, int layers) {
 
 LayeredDepthOfField::LayeredDepthOfField(Device& device, const LayeredDepthOfFieldDesc& desc)
     : m_desc(desc),
-      m_precision(SATExactPrecision(LargestBoxTexels(desc), 1, true, kLensCodes)),
+      m_precision(SATExactPrecision(LargestBoxTexels(desc), 1, true, desc.codes)),
       m_take(device, QuadShaders("lens_layer.ps")),
       m_over(device, QuadShaders(fmt::format("lens_over.ps.WORDS={}", WordsOf(m_precision)))),
       m_layer(device, {desc.extent, Format::RGBA32F, "layer"}),
-      m_table(device, {.extent = desc.extent, .precision = m_precision, .codes = kLensCodes}),
+      m_table(device, {.extent = desc.extent, .precision = m_precision, .codes = desc.codes}),
       m_light(device, {desc.extent, Format::RGBA32F, "light"}) {}
 
 const Image& LayeredDepthOfField::Record(CommandList& commands, const Image& nearest, const Image* hidden,
@@ -91,7 +91,7 @@ void LayeredDepthOfField::Put(CommandList& commands, const Image& nearest, const
         .diameterTexels = diameterTexels,
         .boxes = std::min(static_cast<int>(diameterTexels), static_cast<int>(m_desc.boxes)),
         .sides = static_cast<int>(m_desc.sides),
-        .codeScale = kLensCodes.scale,
+        .codeScale = m_desc.codes.scale,
         .opacity = opacity,
         .isLast = isLast};
     commands.Draw({.name = "over",

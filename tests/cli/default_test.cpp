@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <glm/common.hpp>
 #include <random>
 
 #include "tests/cli/program.h"
@@ -257,6 +258,33 @@ TEST(Default, DepthOfFieldIsWithinHalfACode) {
                                 kMostCodes)
                         << largest << (srgb ? ", srgb" : ", raw") << ", diameter " << circles.DiameterAt(at);
             });
+        }
+    }
+}
+
+// Whatever its depths are: one color stays it, the darkest too, and what is in focus stays as it is.
+TEST(Default, LayersKeepOneColorAndWhatIsSharp) {
+    const Folder folder;
+    Picture depth = RandomPicture(90, 60, 1, SampleType::Unorm8);
+    for (size_t i = 0; i < depth.samples.size(); i++)  // steps of some size, all known
+        depth.samples[i] = depth.samples[i / 90 / 20 * 20 * 90 + i % 90 / 15 * 15] * 0.5f + 0.25f;
+    WritePicture(depth, folder.Path("depth.png"), FileFormat::Png, SampleType::Unorm8);
+    for (const SampleType stored : {SampleType::Unorm8, SampleType::Unorm16}) {
+        const double largest = stored == SampleType::Unorm8 ? 255 : 65535;
+        Picture flat{90, 60, 3, stored, {}};
+        for (int i = 0; i < 90 * 60; i++)
+            for (const float code : {1.0f, 7.0f, 0.6f * static_cast<float>(largest)})
+                flat.samples.push_back(std::round(code) / static_cast<float>(largest));
+        const Picture sharp = PhotographOf(90, 60, stored);
+        for (const auto& [picture, aperture] : {std::pair(&std::as_const(flat), 60), std::pair(&sharp, 0)}) {
+            WritePicture(*picture, folder.Path("in.png"), FileFormat::Png, stored);
+            const Outcome outcome = folder.Run(fmt::format(
+                "dof in.png --depth depth.png --focus 0.5 --aperture {} --method layered -o out.png", aperture));
+            ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+            const Picture focused = ReadPicture(folder.Path("out.png"));
+            for (size_t i = 0; i < focused.samples.size(); i++)
+                ASSERT_NEAR(focused.samples[i] * largest, picture->samples[i] * largest, kMostCodes)
+                    << largest << ", aperture " << aperture << ", sample " << i;
         }
     }
 }

@@ -155,7 +155,7 @@ TEST(Sat, RefusesFloatsThatNoHalfIs) {
     const Outcome fraction = folder.Run("sat in.pfm -o out.exr --precision u64");
     EXPECT_EQ(fraction.exitCode, 1);
     EXPECT_EQ(fraction.err,
-              "boxcar: in.pfm: 0.1 at (1, 0) is no half float; u64 sums half floats exactly, fp32 takes any\n");
+              "boxcar: in.pfm: 0.1 at (1, 0) is not a half float; u64 sums half floats exactly, fp32 takes any\n");
     const Outcome narrow = folder.Run("sat in.pfm -o out.exr --precision u32");
     EXPECT_EQ(narrow.exitCode, 1);
     EXPECT_EQ(narrow.err, "boxcar: in.pfm: u32 sums 8 and 16-bit pictures; a float picture takes u64 or fp32\n");
@@ -259,25 +259,29 @@ TEST(Filter, TentsAndParabolicKernelsOfWholeWidthsAreTheRepeatedBox) {
     }
 }
 
-// Floats that no half float is are rounded to 2^-24 for a tent, unless integers were asked for.
-TEST(Filter, TentsTakeAnyFloatBelowTheLargestHalf) {
+// Floats that no half float is, and larger than the largest.
+TEST(Filter, TentsTakeAnyFloat) {
     const Folder folder;
     Picture picture = RandomPicture(20, 16, 1, SampleType::Float32);
-    picture.samples[7] = -3.14159f;
+    for (const float value : {-3.14159f, 70000.0f}) {
+        picture.samples[7] = value;
+        WritePicture(picture, folder.Path("in.pfm"), FileFormat::Pfm, SampleType::Float32);
+        ASSERT_EQ(folder.Run("filter in.pfm -o out.pfm --width 4.5 --shape tent").exitCode, 0);
+        const Picture filtered = ReadPicture(folder.Path("out.pfm"));
+        const auto light = ReferenceLight(picture, false);
+        for (int y = 0; y < 16; y++)
+            for (int x = 0; x < 20; x++) {
+                const double expected = reference::FilterMean(light, 2, x + 0.5, y + 0.5, 4.5, 4.5, Border::Clip)[0];
+                ASSERT_NEAR(filtered.samples[static_cast<size_t>(y * 20 + x)], expected,
+                            1e-6 * std::max(1.0, std::abs(expected)));
+            }
+    }
+    picture.samples[0] = 70000;
     WritePicture(picture, folder.Path("in.pfm"), FileFormat::Pfm, SampleType::Float32);
-    ASSERT_EQ(folder.Run("filter in.pfm -o out.pfm --width 4.5 --shape tent").exitCode, 0);
-    const Picture filtered = ReadPicture(folder.Path("out.pfm"));
-    const auto light = ReferenceLight(picture, false);
-    for (int y = 0; y < 16; y++)
-        for (int x = 0; x < 20; x++)
-            ASSERT_NEAR(filtered.samples[static_cast<size_t>(y * 20 + x)],
-                        reference::FilterMean(light, 2, x + 0.5, y + 0.5, 4.5, 4.5, Border::Clip)[0], 1e-5);
-    picture.samples[7] = 70000;
-    WritePicture(picture, folder.Path("in.pfm"), FileFormat::Pfm, SampleType::Float32);
-    const Outcome outcome = folder.Run("filter in.pfm -o out.pfm --width 4.5 --shape tent");
+    const Outcome outcome = folder.Run("filter in.pfm -o out.pfm --width 4.5 --shape tent --precision u64");
     EXPECT_EQ(outcome.exitCode, 1);
     EXPECT_EQ(outcome.err,
-              "boxcar: in.pfm: 70000 at (7, 0) is beyond half floats; u64 sums values below 65536, fp32 takes any\n");
+              "boxcar: in.pfm: 70000 at (0, 0) is beyond half floats; u64 sums values below 65536, fp32 takes any\n");
 }
 
 TEST(Filter, AMapOfWidthsGivesEachTexelItsOwn) {
@@ -338,8 +342,8 @@ TEST(Filter, RefusesSumsBeyondFloat32) {
     for (size_t i = 1; i < 96; i += 3)
         picture.samples[i] = 3e38f;
     WritePicture(picture, folder.Path("in.pfm"), FileFormat::Pfm, SampleType::Float32);
-    for (const char* command :
-         {"filter in.pfm -o out.pfm --width 3", "filter in.pfm -o out.png --width 3", "sat in.pfm -o out.pfm"}) {
+    for (const char* command : {"filter in.pfm -o out.pfm --width 3 --precision fp32",
+                                "filter in.pfm -o out.png --width 3 --precision fp32", "sat in.pfm -o out.pfm"}) {
         const Outcome outcome = folder.Run(command);
         EXPECT_EQ(outcome.exitCode, 1) << command;
         EXPECT_EQ(outcome.err,
@@ -390,18 +394,20 @@ TEST(Filter, RefusesImpossibleCombinationsInOneLineEach) {
                  SampleType::Unorm8);
     const Refusal refusals[] = {
         {"--shape tent --width 3 --precision fp32", 2,
-         "--shape tent with --precision fp32: floats hold boxes and discs; use u32 or u64"},
+         "--shape tent with --precision fp32: floats hold boxes and discs; leave out --precision"},
         {"--shape gauss --width 3 --precision fp32", 2,
-         "--shape gauss with --precision fp32: floats hold boxes and discs; use u32 or u64"},
+         "--shape gauss with --precision fp32: floats hold boxes and discs; leave out --precision"},
         {"--width 3 --precision u32 --bias mean", 2,
          "--bias mean with --precision u32: integers do not round; a bias is for fp32"},
         {"--width 3 --shape tent --bias half", 2,
-         "--bias half with --shape tent: it is summed in integers, which do not round; a bias is for fp32"},
+         "--bias half without --precision fp32: integers do not round; a bias is for fp32"},
         {"--width 3 --precision u64 --origin center", 2,
-         "--origin center with --precision u64: integers do not round; it is for fp32"},
+         "--origin center with --precision u64: integers do not round, and are summed from the corner; it is for "
+         "fp32"},
         {"--width 3 --precision u64 --origin lower-left", 2,
-         "--origin lower-left with integers: they do not round; sums from elsewhere are for --precision fp32"},
-        {"--width 3 --origin center --edge mirror", 2,
+         "--origin lower-left with --precision u64: integers do not round, and are summed from the corner; it is for "
+         "fp32"},
+        {"--width 3 --precision fp32 --origin center --edge mirror", 2,
          "--origin center with --edge mirror: sums over a repeated picture start at the corner"},
         {"--shape gauss --width 3 --gauss-error 1", 2,
          "--gauss-error 1: a Gaussian within 1 %: the nearest kernel, the parabolic one, is within 4.2 %"},
@@ -419,12 +425,14 @@ TEST(Filter, RefusesImpossibleCombinationsInOneLineEach) {
         {"--width-map small.png --width-min 3", 2,
          "--width-map needs --width-min and --width-max, the widths for 0 and for white"},
         {"--width-map small.png --width-min 3 --width-max 9", 1,
-         "in.png: small.png: 4 x 4 texels; the map of widths must be as large as the picture, 20 x 10"},
+         "small.png: 4 x 4 texels; the map of widths must be as large as the picture, 20 x 10"},
         {"--width 65 --shape tent --precision u32 --transfer raw", 1,
          "in.png: a tent of 65 x 65 texels over codes up to 255 may not fit into 32 bits: u32 holds 64 x 64"},
-        {"--width 647 --shape parabolic --transfer raw", 1,
+        {"--width 647 --shape parabolic --transfer raw --precision u64", 1,
          "in.png: a parabolic kernel of 647 x 647 texels over codes up to 255 may not fit into 64 bits: u64 holds "
          "645 x 645"},
+        {"--width 3001 --shape parabolic", 1,
+         "in.png: a parabolic kernel of 3001 x 3001 texels is too wide for sums of 64 bits; 1127 x 1127 fits"},
         {"--width 257 --precision u32", 1,
          "in.png: a box of 257 x 257 texels over codes up to 65535 may not fit into 32 bits: u32 holds 256 x 256"},
     };

@@ -163,8 +163,12 @@ TEST(Filter, JsonIsOneDocumentAndNothingElse) {
     const auto& result = document.at("results").at(0);
     EXPECT_EQ(result.at("input"), "a.png");
     EXPECT_EQ(result.at("width"), 100);
-    // The mean of 100 x 50, bias, ceil(log4 100), ceil(log4 50), filter.
-    EXPECT_EQ(result.at("passes").size(), 7u + 1 + 4 + 3 + 1);
+    // ceil(log4 100), ceil(log4 50), filter.
+    EXPECT_EQ(result.at("passes").size(), 4u + 3 + 1);
+    EXPECT_EQ(result.at("precision"), "u32");
+    EXPECT_EQ(result.at("rounds"), 1);
+    // The finest power of two of which a 3 x 3 box of white fits into 32 bits.
+    EXPECT_EQ(result.at("step"), 0x1p-28);
     EXPECT_GE(result.at("device_bytes"), 100 * 50 * 64);
     EXPECT_FALSE(document.at("device").get<std::string>().empty());
 }
@@ -176,8 +180,9 @@ TEST(Filter, StatsNameDevicePassesTimesAndMemory) {
     const Outcome outcome = folder.Run("filter a.png -o b.png --width 3 --stats");
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_EQ(outcome.out, "");
-    for (const char* text : {"a.png -> b.png: 100 x 50", "device", "table x3", "table y2", "filter", " ms",
-                             "16 passes", "device memory 0.3 MiB, 0.2 MiB of it the fp32 table's"})
+    for (const char* text :
+         {"a.png -> b.png: 100 x 50", "device", "table x3", "table y2", "filter", " ms", "8 passes",
+          "device memory 0.3 MiB, 0.2 MiB of it the u32 table's", "in steps of 3.73e-09"})
         EXPECT_NE(outcome.err.find(text), std::string::npos) << text << " is not in:\n" << outcome.err;
 }
 

@@ -64,8 +64,8 @@ TEST(ColorSpaceTest, NotesArePrintableAndShortAndFew) {
         text += "GAMMA=3\n";
     const std::vector<std::string> notes = ReadPicture(folder.Put("p", ToBytes(text + "\n-Y 1 +X 1\nabcd"))).notes;
     ASSERT_EQ(notes.size(), 8u);
-    EXPECT_TRUE(notes[0].starts_with("its GAMMA=2 ?[31mxxx"));
-    EXPECT_EQ(notes[0].size(), 200u);
+    EXPECT_TRUE(notes[0].starts_with("its GAMMA=2 \\x1b[31mxxx"));
+    EXPECT_EQ(notes[0].size(), 200u + 3);  // of the escape
 }
 
 }  // namespace

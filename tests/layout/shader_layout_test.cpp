@@ -78,8 +78,8 @@ TEST(ShaderLayoutTest, FieldOfAnotherTypeIsNamedWithWhatIsExpected) {
     EXPECT_EQ(Refusal(Broken("\"set\": 1", "\"set\": 4294967296")),
               "shader layout: 'resources[0].set' is 4294967296; expected a whole number from 0 to 4294967295");
     EXPECT_EQ(Refusal(Broken("\"Blur\"", "7")), "shader layout: 'entry' is 7; expected a string");
-    EXPECT_EQ(Refusal(Broken("\"compute\"", "\"hull\"")),
-              "shader layout: 'stage' is \"hull\"; expected one of vertex, pixel, compute");
+    EXPECT_EQ(Refusal(Broken("\"compute\"", "\"mesh\"")),
+              "shader layout: 'stage' is \"mesh\"; expected one of vertex, pixel, compute, geometry, hull, domain");
     EXPECT_EQ(Refusal(Broken("true", "1")), "shader layout: 'writesPosition' is 1; expected true or false");
     EXPECT_EQ(Refusal(Broken("\"threadGroup\": [\n    8,", "\"threadGroup\": [\n    8, 8,")),
               "shader layout: 'threadGroup' is [8,8,4,4294967295]; expected an array of three numbers");
