@@ -9,7 +9,8 @@
 //   SATLoadCorner    F at any whole corner (sat.hlsli says what F is)
 //   SATSumTexels     the sum over whole texels: 4 loads a word
 //   SATSumBox        the sum over any box, rounded to float: 16 loads a word
-//   SATSumBoxPair    the same to 46 bits, of a box whose place is told apart from its size
+//   SATCutBoxOf, SATSumCutBox, SATCutArea    the same in pairs of floats, of a box whose place is told apart from its size
+//   SATDiscEdges     one of the boxes that make a disc or a polygon, as pairs
 //
 // Hensley 2005, sect. 4 (the bits that a table needs); beyond the papers
 #ifndef BOXCAR_SAT_EXACT_HLSLI
@@ -182,93 +183,146 @@ SATWide SATSumTexels(SATExactTable table, SATFrame frame, int2 lo, int2 hi)
 struct SATStretches
 {
     int4 corner;    // where they begin and end
-    float3 weight;  // how much of each counts
+    float3 weight;  // how much of each counts; 1 or 0 of the second
 };
 
-// SATStretchesOf: of [base + lo, base + hi).
-//
-//   baseTexels  a whole number near the box: small numbers keep their digits
-SATStretches SATStretchesOf(int baseTexels, float lo, float hi)
+// SATStretchesFrom: of the texels from `first` to `last`, of which parts lie inside; or of a part of one.
+SATStretches SATStretchesFrom(int first, float insideFirst, int last, float insideLast)
 {
-    int first = int(floor(lo));
-    int last = int(floor(hi));
     bool isOneTexel = last <= first;
     SATStretches s;
-    s.corner = baseTexels + int4(first, first + 1, isOneTexel ? first + 1 : last, last + 1);
-    s.weight = isOneTexel ? float3(hi - lo, 0.0, 0.0) : float3(1.0 - (lo - first), 1.0, hi - last);
+    s.corner = int4(first, first + 1, isOneTexel ? first + 1 : last, last + 1);
+    s.weight = isOneTexel ? float3(insideFirst + insideLast - 1.0, 0.0, 0.0) : float3(insideFirst, 1.0, insideLast);
     return s;
 }
 
-// SATClipBoxNear: SATClipBox of a box in edge coordinates that are counted from `baseTexels`. Where the image goes on
-// (REPEAT, MIRROR) it is the box itself: integers need not be small.
-SATBox SATClipBoxNear(SATFrame frame, int2 baseTexels, SATBox box)
+// SATStretchesOf: of [lo, hi), in edge coordinates.
+SATStretches SATStretchesOf(float lo, float hi)
 {
-    if (frame.edge >= SAT_EDGE_REPEAT)
-        return box;
-    SATBox inside;
-    inside.loTexels = clamp(box.loTexels, float2(-baseTexels), float2(frame.extentTexels - baseTexels));
-    inside.hiTexels = clamp(box.hiTexels, float2(-baseTexels), float2(frame.extentTexels - baseTexels));
-    return inside;
+    float first = floor(lo);
+    float last = floor(hi);
+    return SATStretchesFrom(int(first), 1.0 - (lo - first), int(last), hi - last);
 }
 
-// SATBoxAreaPair: area of a box, in every lane.
-FloatPair SATBoxAreaPair(SATBox box)
+// A box cut into stretches of either axis.
+struct SATCutBox
 {
-    FloatPair size = FloatPairSum(float4(box.hiTexels, 0.0, 0.0), float4(-box.loTexels, 0.0, 0.0));
+    SATStretches x;
+    SATStretches y;
+};
+
+// SATCutBoxOf: the part of a box that lies inside the image; all of it where the image goes on (REPEAT, MIRROR).
+//
+//   baseTexels  where the edges are counted from: a texel near the box, so that they keep their digits far from the
+//               image's corner
+//   edges       left, top, right, bottom, in edge coordinates from there
+SATCutBox SATCutBoxOf(SATFrame frame, int2 baseTexels, FloatPair edges)
+{
+    float4 whole = floor(edges.high);
+    whole -= float4(edges.high == whole) * float4(edges.low < 0.0);
+    float4 after = (edges.high - whole) + edges.low;           // of the texel that an edge cuts, left of or above it
+    float4 before = ((whole + 1.0) - edges.high) - edges.low;  // and right of or below it
+    int4 corner = baseTexels.xyxy + int4(whole);
+    if (frame.edge < SAT_EDGE_REPEAT)
+    {
+        int4 inside = clamp(corner, 0, frame.extentTexels.xyxy);
+        float4 isInside = float4(inside == corner) * float4(corner < frame.extentTexels.xyxy);
+        after *= isInside;
+        before = isInside * before + 1.0 - isInside;
+        corner = inside;
+    }
+    SATCutBox cut;
+    cut.x = SATStretchesFrom(corner.x, before.x, corner.z, after.z);
+    cut.y = SATStretchesFrom(corner.y, before.y, corner.w, after.w);
+    return cut;
+}
+
+// SATStretchesLength: how many texels they are, in every lane.
+FloatPair SATStretchesLength(SATStretches s)
+{
+    float whole = s.weight.y * float(s.corner.z - s.corner.y);
+    return FloatPairAdd(FloatPairSum((float4)s.weight.x, (float4)s.weight.z), FloatPairSplat(whole));
+}
+
+// SATEdgesArea: the area of a box that is not cut, in texels, in every lane.
+FloatPair SATEdgesArea(FloatPair edges)
+{
+    FloatPair size = FloatPairSub(FloatPairOf(edges.high.zwzw, edges.low.zwzw), FloatPairOf(edges.high.xyxy, edges.low.xyxy));
     return FloatPairMul(FloatPairOf(size.high.xxxx, size.low.xxxx), FloatPairOf(size.high.yyyy, size.low.yyyy));
 }
 
-// SATSumBoxPair: the sum of the codes over a box, weighted by coverage where an edge cuts a texel.
+// SATCutArea: the area of a cut box, in texels, in every lane.
+FloatPair SATCutArea(SATCutBox cut)
+{
+    return FloatPairMul(SATStretchesLength(cut.x), SATStretchesLength(cut.y));
+}
+
+// SATSumCutBox: the sum of the codes over a box, weighted by coverage where an edge cuts a texel.
 //
-//   table       the integers' table, origin (0, 0)
-//   frame       how it lies over the image
-//   baseTexels  where the box's coordinates are counted from: a texel near it, so that its edges keep their digits far
-//               from the image's corner
-//   box         from SATClipBoxNear
-//   returns     sum per channel, in codes x texels
+//   table    the integers' table, origin (0, 0)
+//   frame    how it lies over the image
+//   returns  sum per channel, in codes x texels
 //
 // Range:  as long as the whole texels' sum fits into the words (SATBoxIsExact); else it is wrong.
-// Error:  2^-44 of the sum of magnitudes (ExactFilter.MeansAreRightToTheLastBit); 0 with whole edges and sums below
-//         2^48.
+// Error:  some 2^-43 of the sum of magnitudes; that of the weights, 2^-24 of each part of a texel, comes before it
+//         (ExactFilter.MeansAreRightToTheLastBit). 0 with whole edges and sums below 2^48.
 // Cost:   16 loads a word; 64 where the image is repeated and the box lies outside.
-FloatPair SATSumBoxPair(SATExactTable table, SATFrame frame, int2 baseTexels, SATBox box)
+FloatPair SATSumCutBox(SATExactTable table, SATFrame frame, SATCutBox cut)
 {
-    SATStretches x = SATStretchesOf(baseTexels.x, box.loTexels.x, box.hiTexels.x);
-    SATStretches y = SATStretchesOf(baseTexels.y, box.loTexels.y, box.hiTexels.y);
     SATWide zero = SATWideOf(uint4(0u, 0u, 0u, 0u), uint4(0u, 0u, 0u, 0u));
     SATWide above[4] = { zero, zero, zero, zero };
-    FloatPair sum = FloatPairOf((float4)0, (float4)0);
+    FloatPair sum = FloatPairSplat(0.0);
     // Loops that stay loops: drivers are slow to compile sixteen copies of a corner.
     [loop]
     for (int row = 0; row < 4; row++)
     {
         SATWide left = zero;
+        FloatPair rowSum = FloatPairSplat(0.0);
         [loop]
         for (int column = 0; column < 4; column++)
         {
-            SATWide corner = SATLoadCorner(table, frame, int2(x.corner[column], y.corner[row]));
+            SATWide corner = SATLoadCorner(table, frame, int2(cut.x.corner[column], cut.y.corner[row]));
             SATWide strip = SATWideSub(corner, left);  // of column - 1
             if (row > 0 && column > 0)
             {
-                FloatPair weight = FloatPairProduct((float4)x.weight[column - 1], (float4)y.weight[row - 1]);
                 FloatPair part = SATWideToPair(SATWideSub(strip, above[column]), table.words, table.isSigned);
-                sum = FloatPairAdd(sum, FloatPairMul(weight, part));
+                rowSum = FloatPairAdd(rowSum, FloatPairScale(part, cut.x.weight[column - 1]));
             }
             above[column] = strip;
             left = corner;
         }
+        if (row > 0)
+            sum = FloatPairAdd(sum, FloatPairScale(rowSum, cut.y.weight[row - 1]));
     }
     return sum;
 }
 
-// SATSumBox: SATSumBoxPair in plain edge coordinates, rounded to float.
+// SATSumBox: SATSumCutBox of a box in plain edge coordinates, rounded to float.
 //
-//   box      from SATClipBox
+//   box  from SATClipBox
 //
 // Error:  of the box's own edges, which are floats; beyond that u of the sum.
 float4 SATSumBox(SATExactTable table, SATFrame frame, SATBox box)
 {
-    return FloatPairToFloat(SATSumBoxPair(table, frame, int2(0, 0), box));
+    FloatPair edges = FloatPairOf(float4(box.loTexels, box.hiTexels), (float4)0);
+    return FloatPairToFloat(SATSumCutBox(table, frame, SATCutBoxOf(frame, int2(0, 0), edges)));
+}
+
+// SATDiscEdges: the edges of one of the boxes of SATDiscBox: left, top, right, bottom, in texels from the disc's center.
+//
+// Error:  2^-43 of them; of a polygon's left and right edges that of SATPolygonHalfWidth.
+FloatPair SATDiscEdges(float2 diameterTexels, int sides, int boxes, int index)
+{
+    float middle = 2.0 * index + 1.0 - boxes;  // of its height; -boxes is the top of the disc
+    FloatPair side;
+    if (sides == 0)
+        side = FloatPairSqrt((float4)(float(boxes) * boxes - middle * middle));
+    else
+        side = FloatPairSplat(boxes * SATPolygonHalfWidth(sides, middle / boxes));
+    FloatPair edges = FloatPairOf(float4(-side.high.x, middle - 1.0, side.high.x, middle + 1.0),
+                                  float4(-side.low.x, 0.0, side.low.x, 0.0));
+    FloatPair scaled = FloatPairMul(edges, FloatPairOf(diameterTexels.xyxy, (float4)0));
+    return FloatPairDiv(scaled, FloatPairSplat(2.0 * boxes));
 }
 
 #endif

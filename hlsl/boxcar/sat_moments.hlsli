@@ -42,8 +42,8 @@ SATWide SATWideOfCount(int count)
 // Cost:   20 loads a word.
 SATMoments SATMomentsOf(SATExactTable table, SATFrame frame, SATBox box)
 {
-    SATStretches x = SATStretchesOf(0, box.loTexels.x, box.hiTexels.x);
-    SATStretches y = SATStretchesOf(0, box.loTexels.y, box.hiTexels.y);
+    SATStretches x = SATStretchesOf(box.loTexels.x, box.hiTexels.x);
+    SATStretches y = SATStretchesOf(box.loTexels.y, box.hiTexels.y);
 
     // A whole number near the mean: that of all texels which the box touches.
     int2 outerLo = max(int2(x.corner.x, y.corner.x), 0);

@@ -22,7 +22,7 @@
 
 // SATContinue: a table of order n continues as a polynomial of degree n - 1 where nothing is added any more. The weights
 // of the last n entries (the last one first) in the entry that comes `ahead` texels after them; `ahead` may be negative:
-// that is what a table would hold if nothing lay before. |ahead| <= 46340, so that the weights fit.
+// that is what a table would hold if nothing lay before. |ahead| <= 46339, so that the weights fit.
 int3 SATContinue(int order, int ahead)
 {
     if (order == 1)
@@ -238,7 +238,8 @@ int SATMiddleEntry(int order, int baseTexels, float centreTexels, float widthTex
 // negative: SATAxisMass bounds them.
 //
 // Range:  exact sums while SATBoxIsExact; else it is wrong.
-// Error:  2^-40 of the filtered magnitudes (ExactFilter.MeansAreRightToTheLastBit).
+// Error:  some 2^-40 of the filtered magnitudes: nothing beside the rounding of the mean to float
+//         (ExactFilter.MeansAreRightToTheLastBit).
 // Cost:   121 loads a word (order 2), 361 (order 3); more at the right and bottom rim (SATLoadOrder).
 FloatPair SATSumOrder(SATExactTable table, int2 extentTexels, int order, int2 baseTexels, float2 centreTexels,
                       float2 sizeTexels)

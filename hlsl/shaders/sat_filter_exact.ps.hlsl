@@ -13,21 +13,21 @@ float4 main(QuadVertex i) : SV_Target0
     int2 texel = TexelFromEdge(i.position.xy);
     float2 sizeTexels = SizeAt(texel);
     texel += g.paddingTexels;
-    // Everything is counted from the texel, whose centre is at 0.5.
-    float2 centre = float2(0.5, 0.5);
-    FloatPair sum, mass;
+    // Everything is counted from the texel, whose center is at 0.5.
+        FloatPair sum, mass;
 #if ORDER == 1 && !WHOLE
     sum = FloatPairSplat(0.0);
     mass = FloatPairSplat(0.0);
     int boxes = BoxesFor(sizeTexels);
     for (int k = 0; k < boxes; k++)
     {
-        SATBox box = SATDiscBox(centre, sizeTexels, boxes > 1 ? g.sides : 0, boxes, k);
-        SATBox inside = SATClipBoxNear(frame, texel, box);
-        sum = FloatPairAdd(sum, SATSumBoxPair(words, frame, texel, inside));
-        if (EDGE == SAT_EDGE_ZERO)
-            inside = box;
-        mass = FloatPairAdd(mass, SATBoxAreaPair(inside));
+        FloatPair edges = SATDiscEdges(sizeTexels, boxes > 1 ? g.sides : 0, boxes, k);
+        SATCutBox cut = SATCutBoxOf(frame, texel, FloatPairAdd(FloatPairSplat(0.5), edges));
+        sum = FloatPairAdd(sum, SATSumCutBox(words, frame, cut));
+        FloatPair area = SATEdgesArea(edges);
+        if (EDGE == SAT_EDGE_CLIP)
+            area = SATCutArea(cut);
+        mass = FloatPairAdd(mass, area);
     }
 #else
     FloatPair massX = SATMassFull(ORDER, sizeTexels.x), massY = SATMassFull(ORDER, sizeTexels.y);
@@ -41,7 +41,7 @@ float4 main(QuadVertex i) : SV_Target0
         massY = SATMassWhole(ORDER, texel.y, whole.y, g.extentTexels.y);
     }
 #else
-    sum = SATSumOrder(words, g.extentTexels, ORDER, texel, centre, sizeTexels);
+    sum = SATSumOrder(words, g.extentTexels, ORDER, texel, float2(0.5, 0.5), sizeTexels);
     if (EDGE == SAT_EDGE_CLIP)
     {
         massX = SATMassOrder(ORDER, sizeTexels.x, texel.x + 0.5, after.x + 0.5);
