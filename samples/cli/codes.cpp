@@ -13,7 +13,7 @@ namespace {
 constexpr double kLinearLargest = 65535;
 const double kHalfScale = std::ldexp(1.0, 24);
 const double kHalfLimit = std::ldexp(1.0, 40);
-constexpr double kLeastCodes = 9;  // 4 bits of every round
+constexpr double kLeastCodes = 9;  // of every round: 8 steps and one for their rounding
 
 double LargestCode(SampleType stored) {
     return stored == SampleType::Unorm8 ? 255 : 65535;
@@ -67,22 +67,37 @@ Values ValuesOf(const Picture& picture, Transfer transfer) {
     return values;
 }
 
-// How far a code may be from its value: for floats from the smallest value.
-double Tolerance(const Picture& picture, const Values& values, SampleType result) {
-    constexpr double kSteepestSrgb = 12.92;
-    constexpr double kShareOfCode = 0.005;
-    if (picture.stored == SampleType::Float32 || result == SampleType::Float32)
-        return std::ldexp(values.smallest, -20);
-    const double alpha = HasAlpha(picture) ? 1 / LargestCode(picture.stored) : 1;
-    return kShareOfCode / (kSteepestSrgb * LargestCode(result)) * alpha;
-}
+// How far a code may be from its value.
+class Tolerance {
+public:
+    Tolerance(const Picture& picture, SampleType result) {
+        constexpr double kSteepestSrgb = 12.92, kShareOfCode = 0.005;
+        const bool isFloat = picture.stored == SampleType::Float32;
+        if (result != SampleType::Float32) m_absolute = kShareOfCode / (kSteepestSrgb * LargestCode(result));
+        if (result == SampleType::Float32) m_relative = 0x1p-20;
+        if (result == SampleType::Float32 || !HasAlpha(picture)) return;
+        // Color and alpha are both rounded, and the one is divided by the other.
+        if (isFloat)
+            m_relative = 0x1p-24;
+        else
+            m_absolute *= 0.5 / LargestCode(picture.stored);
+    }
+
+    double Of(double magnitude) const { return std::min(m_absolute, std::max(m_relative * magnitude, kLeast)); }
+
+private:
+    static constexpr double kLeast = 0x1p-150;  // half of the smallest float
+    static constexpr double kNone = std::numeric_limits<double>::infinity();
+    double m_absolute = kNone, m_relative = kNone;
+};
 
 // Whether no value is farther from its codes than is allowed.
-bool IsFineEnough(const Picture& picture, const std::vector<CodeRound>& rounds, double tolerance) {
-    if (0.5 * rounds.back().Step() <= tolerance) return true;
+bool IsFineEnough(const Picture& picture, const std::vector<CodeRound>& rounds, const Tolerance& tolerance,
+                  double smallest) {
+    if (0.5 * rounds.back().Step() <= tolerance.Of(smallest)) return true;
     if (picture.stored != SampleType::Float32) return false;
     return std::ranges::all_of(picture.samples, [&](float sample) {
-        return std::abs(LeftOver(sample, rounds)) <= std::ldexp(std::abs(static_cast<double>(sample)), -20);
+        return std::abs(LeftOver(sample, rounds)) <= tolerance.Of(std::abs(static_cast<double>(sample)));
     });
 }
 
@@ -137,33 +152,33 @@ CodePlan FittingCodes(const Picture& picture, const std::string& name, Transfer 
         }
     }
     const Values values = ValuesOf(picture, transfer);
-    const double tolerance = Tolerance(picture, values, result);
-    double largest = std::max(values.largest, 0x1p-149);
+    if (values.largest == 0) return {SATPrecision::U64, {{{1, 1, false}}}};
+    const Tolerance tolerance(picture, result);
+    double largest = values.largest;
     if (picture.stored != SampleType::Float32) {
         const CodePlan narrow{SATPrecision::U32, {FinestCodes(SATPrecision::U32, kernel, largest, false)}};
-        if (IsFineEnough(picture, narrow.rounds, tolerance)) return narrow;
+        if (IsFineEnough(picture, narrow.rounds, tolerance, values.smallest)) return narrow;
     }
     CodePlan plan{SATPrecision::U64, {}};
     do {
         const bool isSigned = values.isSigned || !plan.rounds.empty();
         plan.rounds.push_back(FinestCodes(SATPrecision::U64, kernel, largest, isSigned));
         if (plan.rounds.back().codes.largest < kLeastCodes) {
-            const SATCodes least{1, kLeastCodes, isSigned};
+            const SATCodes least{1, 2 * kLeastCodes, true};  // in any round
             const uint32_t side = SATLargestWidthTexels(SATPrecision::U64, least, kernel.order, kernel.isWhole);
             constexpr const char* kNames[] = {"box", "tent", "parabolic kernel"};
             throw Error("{}: a {} of {:g} x {:g} texels is too wide for sums of 64 bits; {} x {} fits", name,
                         kNames[kernel.order - 1], kernel.sizeTexels.x, kernel.sizeTexels.y, side, side);
         }
         largest = 0.5 * plan.rounds.back().Step();
-    } while (!IsFineEnough(picture, plan.rounds, tolerance));
+    } while (!IsFineEnough(picture, plan.rounds, tolerance, values.smallest));
     return plan;
 }
 
-void AddPlan(Stats& stats, const CodePlan& plan, uint64_t tableBytes) {
+void AddPlan(Stats& stats, const CodePlan& plan) {
     stats.precision = SATPrecisionName(plan.precision);
     stats.step = plan.rounds.back().Step();
     stats.rounds = plan.rounds.size();
-    stats.tableBytes = tableBytes;
 }
 
 CodedPicture::CodedPicture(const Picture& picture, Transfer transfer, CodePlan plan)

@@ -53,12 +53,12 @@ CodePlan NamedCodes(const Picture& picture, const std::string& name, Transfer tr
 //   result  the samples of the file to write. Integers: the codes' own rounding moves no sample by more than 0.005 of
 //           its codes. Floats: each value is kept within 2^-20 of itself.
 //
-// Throws Error, which begins with `name`: a kernel so wide that 64 bits do not hold 4 bits of each texel.
+// Throws Error, which begins with `name`: a kernel so wide that 64 bits do not hold 8 steps of each texel.
 CodePlan FittingCodes(const Picture& picture, const std::string& name, Transfer transfer, SampleType result,
                       const KernelSize& kernel);
 
 // Says in `stats` how a result was summed.
-void AddPlan(Stats& stats, const CodePlan& plan, uint64_t tableBytes);
+void AddPlan(Stats& stats, const CodePlan& plan);
 
 // RGBA; channels that the picture does not have are 0. Two's complement.
 struct CodeWords {

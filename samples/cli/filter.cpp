@@ -189,7 +189,7 @@ Examples:
                     "outside; repeat; mirror (the edge texel comes twice)")
         ->check(CLI::IsMember({"clip", "zero", "repeat", "mirror"}))
         ->type_name("E");
-    AddTableOptions(command, options->table, "mean; none for float files",
+    AddTableOptions(command, options->table, "with fp32 mean; none for float files",
                     "integers as fine as the result needs, u32 where it is wide enough, or u64");
     command
         .add_option("--bits", options->bits, "Bits of a PNG's samples: 8 or 16 (default: as the input, float as 8)")

@@ -63,8 +63,11 @@ struct Source {
 
     UploadedWords Upload(Device& device, uint32_t widthTexels, size_t round, const Band& band) const {
         if (codes) return codes->Upload(device, round, band.firstRead, band.rowsRead);
-        return UploadLight(device, {widthTexels, band.rowsRead},
-                           RowsOf(*light, widthTexels, band.firstRead, band.rowsRead));
+        const Extent2D extent{widthTexels, band.rowsRead};
+        UploadedWords words;
+        words.images.push_back(
+            boxcar::Upload(device, extent, RowsOf(*light, widthTexels, band.firstRead, band.rowsRead), "source"));
+        return words;
     }
 };
 
@@ -118,54 +121,65 @@ void ReportMarked(const std::vector<glm::vec4>& texels, const BlurDesc& desc, co
                                                            : "white"));
 }
 
-// One line where floats may be off by more than half a code of the file; of a float file, by more than 1e-5 of the
+// One line where a sample of the file may be off by more than half a code; of a float file, by more than 1e-5 of the
 // picture's mean.
-void ReportFloatBound(const std::vector<glm::vec4>& texels, const BlurDesc& desc, const FilterRequest& request,
-                      Transfer transfer, SampleType result, const std::string& name) {
-    const double bound = FloatTableBound(texels, desc.extent, glm::min(request.minTexels, request.maxTexels),
-                                         desc.edge, desc.bias == BlurBias::Mean);
-    const auto report = [&](double most, const char* unit) {
-        PrintProblem(fmt::format(
-            "{}: fp32 sums round: a texel may be off by up to {:.2g}{}; leave out --precision for exact sums", name,
-            most, unit));
-    };
+//
+//   bound  of what is filtered
+void ReportBound(double bound, const std::vector<glm::vec4>& light, const Picture& picture, Transfer transfer,
+                 SampleType result, const std::string& what) {
+    constexpr const char* kAdvice = "leave out --precision for exact sums";
     if (result == SampleType::Float32) {
-        double mean = 0;
-        for (const glm::vec4& texel : texels)
-            mean += std::abs(texel.x) / static_cast<double>(texels.size());
-        if (bound > 1e-5 * mean) report(bound, "");
+        glm::dvec4 mean(0);
+        for (const glm::vec4& texel : light)
+            mean += glm::abs(glm::dvec4(texel)) / static_cast<double>(light.size());
+        const double largest = std::max({mean.x, mean.y, mean.z, mean.w});
+        if (bound > 1e-5 * largest)
+            PrintProblem(fmt::format("{}: the error of a sample is at most {:.2g}, of a mean of {:.2g}; {}", what,
+                                     bound, largest, kAdvice));
         return;
     }
-    const double codes =
-        bound * (result == SampleType::Unorm8 ? 255 : 65535) * (transfer == Transfer::Srgb ? 12.92 : 1);
-    if (codes > 0.5) report(codes, " codes");
+    double codes = bound * (result == SampleType::Unorm8 ? 255 : 65535);
+    if (transfer == Transfer::Srgb) {
+        codes *= 12.92;  // the sRGB curve where it is steepest
+        if (HasAlpha(picture)) {
+            float least = 1;
+            for (const glm::vec4& texel : light)
+                if (const float alpha = texel[static_cast<int>(picture.channels) - 1]; alpha > 0)
+                    least = std::min(least, alpha);
+            codes /= least;
+        }
+    }
+    if (codes > 0.5)
+        PrintProblem(fmt::format("{}: the error of a sample is at most {:.2g} codes; {}", what, codes, kAdvice));
 }
 
 }  // namespace
 
-double FloatTableBound(const std::vector<glm::vec4>& texels, Extent2D extent, glm::vec2 smallestTexels, SATEdge edge,
-                       bool meanTakenOff) {
-    glm::dvec4 mean(0), sum(0);
-    if (meanTakenOff) {
+double FloatTableBound(const std::vector<glm::vec4>& texels, Extent2D extent, const FilterRequest& request,
+                       BlurBias bias) {
+    glm::dvec4 mean(bias == BlurBias::Half ? 0.5 : 0.0), sum(0);
+    if (bias == BlurBias::Mean) {
         for (const glm::vec4& texel : texels)
             mean += glm::dvec4(texel);
         mean /= static_cast<double>(texels.size());
     }
     for (const glm::vec4& texel : texels)
         sum += glm::abs(glm::dvec4(texel) - mean);
-    const double largest = std::max({sum.x, sum.y, sum.z, sum.w});
+    double magnitudes = std::max({sum.x, sum.y, sum.z, sum.w});
+    const glm::dvec2 sides(extent.widthTexels, extent.heightTexels);
+    if (IsRepeated(request.edge)) {
+        const glm::dvec2 period = (request.edge == SATEdge::Mirror ? 2.0 : 1.0) * sides;
+        const glm::dvec2 reached = period * (glm::ceil(glm::dvec2(request.maxTexels) / period) + 1.0) / sides;
+        magnitudes *= reached.x * reached.y;
+    }
+    const glm::dvec2 smallest = glm::max(glm::dvec2(glm::min(request.minTexels, request.maxTexels)), 1.0);
     // At a corner of the picture a quarter of the box, and half a texel of each axis, lies inside.
-    const glm::dvec2 size = glm::max(glm::dvec2(smallestTexels), 1.0);
-    const glm::dvec2 inside = edge == SATEdge::Clip ? 0.5 * size + 0.5 : size;
+    const glm::dvec2 inside = request.edge == SATEdge::Clip ? glm::min(0.5 * smallest + 0.5, sides) : smallest;
+    // A disc is pi / 4 of its square, a polygon a triangle at least; each of its boxes is as wrong as one.
+    const double share = request.boxes == 1 ? 1 : request.sides == 0 ? 0.785 : 0.32;
     const auto depth = [](uint32_t side) { return std::bit_width(side - 1); };
     const int levels = depth(extent.widthTexels) + depth(extent.heightTexels);
-    return (4.0 * levels + 20) * 0x1p-24 * largest / (inside.x * inside.y);
-}
-
-UploadedWords UploadLight(Device& device, Extent2D extent, std::span<const glm::vec4> texels) {
-    UploadedWords words;
-    words.images.push_back(Upload(device, extent, texels, "source"));
-    return words;
+    return request.boxes * (4.0 * levels + 20) * 0x1p-24 * magnitudes / (share * inside.x * inside.y);
 }
 
 std::vector<glm::vec4> FilterPicture(Device& device, const Picture& picture, const std::string& name,
@@ -190,14 +204,18 @@ std::vector<glm::vec4> FilterPicture(Device& device, const Picture& picture, con
         const BlurDesc desc = BlurFor(picture, request, codes.Plan().precision);
         std::vector<glm::vec4> filtered = filterBands({.codes = &codes}, desc);
         ReportMarked(filtered, desc, codes.Plan().rounds[0].codes, picture, result);
-        AddPlan(stats, codes.Plan(), stats.tableBytes);
+        AddPlan(stats, codes.Plan());
+        if (request.precision && picture.stored != SampleType::Float32 && transfer == Transfer::Srgb)
+            ReportBound(0.5 * stats.step, ToLight(picture, transfer), picture, transfer, result,
+                        fmt::format("{}: {} by name sums light in steps of 1 / 65535", name, stats.precision));
         return filtered;
     }
     const BlurDesc desc = BlurFor(picture, request, SATPrecision::FP32);
     const std::vector<glm::vec4> light = ToLight(picture, transfer);
     std::vector<glm::vec4> filtered = filterBands({.light = &light}, desc);
     RequireFiniteSums(filtered, name);
-    ReportFloatBound(light, desc, request, transfer, result, name);
+    ReportBound(FloatTableBound(light, desc.extent, request, desc.bias), light, picture, transfer, result,
+                name + ": fp32 sums round");
     stats.precision = SATPrecisionName(SATPrecision::FP32);
     return filtered;
 }

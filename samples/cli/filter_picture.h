@@ -39,15 +39,13 @@ std::vector<glm::vec4> FilterPicture(Device& device, const Picture& picture, con
                                      Transfer transfer, const FilterRequest& request,
                                      const std::vector<glm::vec4>& widthMap, SampleType result, Stats& stats);
 
-// The most that a box of a table of floats is off, in the picture's values (README; SATSumBox in
+// The most that a filtered texel of a table of floats is off, in the picture's values (README; SATSumBox in
 // hlsl/boxcar/sat.hlsli).
 //
-//   texels         of the picture, as of ToLight
-//   meanTakenOff   of every channel, before it is summed
-double FloatTableBound(const std::vector<glm::vec4>& texels, Extent2D extent, glm::vec2 smallestTexels, SATEdge edge,
-                       bool meanTakenOff);
-
-// A picture's light on the device as one image.
-UploadedWords UploadLight(Device& device, Extent2D extent, std::span<const glm::vec4> texels);
+//   texels   of the picture, as of ToLight
+//   request  its widths, edge, and boxes of a disc
+//   bias     taken off before the texels are summed
+double FloatTableBound(const std::vector<glm::vec4>& texels, Extent2D extent, const FilterRequest& request,
+                       BlurBias bias);
 
 }  // namespace boxcar

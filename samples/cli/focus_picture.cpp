@@ -37,7 +37,8 @@ std::vector<glm::vec4> FocusPicture(Device& device, const Picture& picture, cons
         AddTimes(stats.passes, commands.PassTimes());
         stats.deviceBytes = std::max(stats.deviceBytes, device.MemoryBytes());
     }
-    AddPlan(stats, codes.Plan(), SummedAreaTableBytes(desc.extent, desc.precision));
+    AddPlan(stats, codes.Plan());
+    stats.tableBytes = SummedAreaTableBytes(desc.extent, desc.precision);
     return focused;
 }
 

@@ -7,11 +7,9 @@
 
 namespace boxcar {
 
-std::vector<glm::vec4> ToLight(Picture picture, Transfer transfer) {
-    if (transfer == Transfer::Srgb && picture.stored != SampleType::Float32) {
-        DecodeSrgb(picture);
-        Premultiply(picture);
-    }
+namespace {
+
+std::vector<glm::vec4> TexelsOf(const Picture& picture) {
     const int channels = static_cast<int>(picture.channels);
     std::vector<glm::vec4> texels(size_t{picture.widthTexels} * picture.heightTexels);
     const float* sample = picture.samples.data();
@@ -19,6 +17,16 @@ std::vector<glm::vec4> ToLight(Picture picture, Transfer transfer) {
         for (int c = 0; c < channels; c++)
             texel[c] = *sample++;
     return texels;
+}
+
+}  // namespace
+
+std::vector<glm::vec4> ToLight(const Picture& picture, Transfer transfer) {
+    if (transfer == Transfer::Raw || picture.stored == SampleType::Float32) return TexelsOf(picture);
+    Picture light = picture;
+    DecodeSrgb(light);
+    Premultiply(light);
+    return TexelsOf(light);
 }
 
 Picture FromLight(const std::vector<glm::vec4>& texels, const Picture& like, Transfer transfer,

@@ -11,7 +11,7 @@ namespace boxcar {
 
 // RGBA texels of what is filtered, rows from the top. Under Srgb: linear light, colours times alpha. (Float files
 // hold that already, by the convention of EXR.) Channels that the picture does not have are 0.
-std::vector<glm::vec4> ToLight(Picture picture, Transfer transfer);
+std::vector<glm::vec4> ToLight(const Picture& picture, Transfer transfer);
 
 // The picture that `texels` are to be in a file with samples of `sampleType`. Under Srgb, integers hold sRGB codes
 // and colours not multiplied by alpha; floats hold the texels as they are. In integers a texel that is not finite

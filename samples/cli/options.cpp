@@ -137,8 +137,8 @@ void AddTableOptions(CLI::App& command, TableOptions& options, const std::string
     command
         .add_option(
             "--precision", options.precisionWord,
-            "fp32: floats, which round; u32, u64: integers modulo 2^32, 2^64, of the codes that the manual names "
-            "(default: " +
+            "fp32: floats, which round; u32, u64: sums modulo 2^32, 2^64 of whole codes: the file's own under raw, "
+            "else round(65535 light); float files times 2^24 (default: " +
                 precisionDefault + ")")
         ->check(CLI::IsMember({"fp32", "u32", "u64"}))
         ->type_name("P");
