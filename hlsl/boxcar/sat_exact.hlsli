@@ -9,7 +9,7 @@
 //   SATLoadCorner    F at any whole corner (sat.hlsli says what F is)
 //   SATSumTexels     the sum over whole texels: 4 loads a word
 //   SATSumBox        the sum over any box, rounded to float: 16 loads a word
-//   SATSumBoxPair    the same to 46 bits, of a box whose place is told apart from its size
+//   SATSumBoxPair    the same to 44 bits, of a box whose place is told apart from its size
 //
 // Hensley 2005, sect. 4 (the bits that a table needs); beyond the papers
 #ifndef BOXCAR_SAT_EXACT_HLSLI
@@ -181,8 +181,8 @@ SATWide SATSumTexels(SATExactTable table, SATFrame frame, int2 lo, int2 hi)
 // The three stretches that a box takes from an axis: part of a texel, whole texels, part of a texel.
 struct SATStretches
 {
-    int4 corner;    // where they begin and end
-    float3 weight;  // how much of each counts
+    int4 corner;       // where they begin and end
+    FloatPair weight;  // how much of each counts, in x, y and z; exact: 1 - 0.1 takes more than a float
 };
 
 // SATStretchesOf: of [base + lo, base + hi).
@@ -195,7 +195,9 @@ SATStretches SATStretchesOf(int baseTexels, float lo, float hi)
     bool isOneTexel = last <= first;
     SATStretches s;
     s.corner = baseTexels + int4(first, first + 1, isOneTexel ? first + 1 : last, last + 1);
-    s.weight = isOneTexel ? float3(hi - lo, 0.0, 0.0) : float3(1.0 - (lo - first), 1.0, hi - last);
+    float4 begin = isOneTexel ? float4(lo, 0.0, 0.0, 0.0) : float4(lo, 0.0, last, 0.0);
+    float4 end = isOneTexel ? float4(hi, 0.0, 0.0, 0.0) : float4(first + 1, 1.0, hi, 0.0);
+    s.weight = FloatPairSum(end, -begin);
     return s;
 }
 
@@ -250,9 +252,10 @@ FloatPair SATSumBoxPair(SATExactTable table, SATFrame frame, int2 baseTexels, SA
             SATWide strip = SATWideSub(corner, left);  // of column - 1
             if (row > 0 && column > 0)
             {
-                FloatPair weight = FloatPairProduct((float4)x.weight[column - 1], (float4)y.weight[row - 1]);
+                FloatPair wx = FloatPairLane(x.weight, column - 1);
+                FloatPair wy = FloatPairLane(y.weight, row - 1);
                 FloatPair part = SATWideToPair(SATWideSub(strip, above[column]), table.words, table.isSigned);
-                sum = FloatPairAdd(sum, FloatPairMul(weight, part));
+                sum = FloatPairAdd(sum, FloatPairMul(FloatPairMul(wx, wy), part));
             }
             above[column] = strip;
             left = corner;
