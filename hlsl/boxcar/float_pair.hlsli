@@ -4,13 +4,15 @@
 // of a pair is a number of its own: high + low, with |low| at most half a unit in the last place of high.
 //
 //   FloatPairOf, FloatPairSplat, FloatPairSum, FloatPairProduct    pairs from floats; all exact
-//   FloatPairAdd, .. Sub, .. Mul, .. Scale, .. Div, .. Sqrt        arithmetic on pairs
+//   FloatPairLane                                                  a lane of a pair in all four
+//   FloatPairAdd, .. Sub, .. Mul, .. Div, .. Sqrt                  arithmetic on pairs
 //   FloatPairToFloat                                               rounded to the nearest float
 //
 // Range:  magnitudes up to 2^100; where a product's low part falls below 2^-126 it is lost.
-// Error:  2^-46 of a sum, 2^-45 of a product, 2^-44 of a quotient and a root
-//         (FloatPair.ResultsAreWithinTheirBoundsOfExactArithmetic).
-// Needs:  floats that round as IEEE 754 does. `precise` keeps compilers from simplifying what is exactly 0 in theory.
+// Error:  2^-46 of the larger operand for FloatPairAdd and FloatPairSub; of the result 2^-45 for FloatPairMul, 2^-44
+//         for FloatPairDiv and FloatPairSqrt (FloatPair.ErrorsStayWithinTheirBounds).
+// Needs:  floats that round as IEEE 754 does. `precise` keeps compilers from simplifying what is exactly 0 in theory:
+//         fxc, dxc and glslang heed it; vkd3d up to 2.1 drops it when it compiles HLSL.
 //
 // Dekker 1971, "A floating-point technique for extending the available precision"; Knuth, TAOCP 2, sect. 4.2.2
 #ifndef BOXCAR_FLOAT_PAIR_HLSLI
@@ -34,6 +36,12 @@ FloatPair FloatPairOf(float4 high, float4 low)
 FloatPair FloatPairSplat(float value)
 {
     return FloatPairOf((float4)value, (float4)0);
+}
+
+// FloatPairLane: one lane's number in every lane.
+FloatPair FloatPairLane(FloatPair a, int lane)
+{
+    return FloatPairOf((float4)a.high[lane], (float4)a.low[lane]);
 }
 
 // FloatPairSum: a + b, exactly.
@@ -85,13 +93,6 @@ FloatPair FloatPairAdd(FloatPair a, FloatPair b)
 FloatPair FloatPairSub(FloatPair a, FloatPair b)
 {
     return FloatPairAdd(a, FloatPairOf(-b.high, -b.low));
-}
-
-FloatPair FloatPairScale(FloatPair a, float factor)
-{
-    FloatPair product = FloatPairProduct(a.high, (float4)factor);
-    precise float4 low = product.low + a.low * factor;
-    return FloatPairOrdered(product.high, low);
 }
 
 FloatPair FloatPairMul(FloatPair a, FloatPair b)

@@ -182,26 +182,37 @@ SATWide SATSumTexels(SATExactTable table, SATFrame frame, int2 lo, int2 hi)
 // The three stretches that a box takes from an axis: part of a texel, whole texels, part of a texel.
 struct SATStretches
 {
-    int4 corner;    // where they begin and end
-    float3 weight;  // how much of each counts; 1 or 0 of the second
+    int4 corner;       // where they begin and end
+    FloatPair weight;  // how much of each counts, in x, y and z; exact: 1 - 0.1 takes more than a float
 };
 
-// SATStretchesFrom: of the texels from `first` to `last`, of which parts lie inside; or of a part of one.
-SATStretches SATStretchesFrom(int first, float insideFirst, int last, float insideLast)
+// SATStretchesFrom: from a part of the texel `first` to a part of `last`; or of a part of one. `before` and `after` are how
+// much of the two lies inside.
+SATStretches SATStretchesFrom(int first, FloatPair before, int last, FloatPair after)
 {
     bool isOneTexel = last <= first;
     SATStretches s;
     s.corner = int4(first, first + 1, isOneTexel ? first + 1 : last, last + 1);
-    s.weight = isOneTexel ? float3(insideFirst + insideLast - 1.0, 0.0, 0.0) : float3(insideFirst, 1.0, insideLast);
+    FloatPair part = before;
+    if (isOneTexel)
+        part = FloatPairAdd(FloatPairAdd(before, after), FloatPairSplat(-1.0));
+    float2 others = isOneTexel ? float2(0.0, 0.0) : float2(1.0, after.high.x);
+    s.weight = FloatPairOf(float4(part.high.x, others, 0.0), float4(part.low.x, 0.0, others.x * after.low.x, 0.0));
     return s;
 }
 
 // SATStretchesOf: of [lo, hi), in edge coordinates.
 SATStretches SATStretchesOf(float lo, float hi)
 {
-    float first = floor(lo);
-    float last = floor(hi);
-    return SATStretchesFrom(int(first), 1.0 - (lo - first), int(last), hi - last);
+    int first = int(floor(lo));
+    int last = int(floor(hi));
+    bool isOneTexel = last <= first;
+    SATStretches s;
+    s.corner = int4(first, first + 1, isOneTexel ? first + 1 : last, last + 1);
+    float4 begin = isOneTexel ? float4(lo, 0.0, 0.0, 0.0) : float4(lo, 0.0, last, 0.0);
+    float4 end = isOneTexel ? float4(hi, 0.0, 0.0, 0.0) : float4(first + 1, 1.0, hi, 0.0);
+    s.weight = FloatPairSum(end, -begin);
+    return s;
 }
 
 // A box cut into stretches of either axis.
@@ -220,28 +231,30 @@ SATCutBox SATCutBoxOf(SATFrame frame, int2 baseTexels, FloatPair edges)
 {
     float4 whole = floor(edges.high);
     whole -= float4(edges.high == whole) * float4(edges.low < 0.0);
-    float4 after = (edges.high - whole) + edges.low;           // of the texel that an edge cuts, left of or above it
-    float4 before = ((whole + 1.0) - edges.high) - edges.low;  // and right of or below it
+    // How much of the texel that an edge cuts lies left of or above it, and right of or below it.
+    FloatPair after = FloatPairSum(edges.high - whole, edges.low);
+    FloatPair before = FloatPairSum((whole + 1.0) - edges.high, -edges.low);
     int4 corner = baseTexels.xyxy + int4(whole);
     if (frame.edge < SAT_EDGE_REPEAT)
     {
         int4 inside = clamp(corner, 0, frame.extentTexels.xyxy);
         float4 isInside = float4(inside == corner) * float4(corner < frame.extentTexels.xyxy);
-        after *= isInside;
-        before = isInside * before + 1.0 - isInside;
+        after = FloatPairOf(isInside * after.high, isInside * after.low);
+        before = FloatPairOf(isInside * before.high + 1.0 - isInside, isInside * before.low);
         corner = inside;
     }
     SATCutBox cut;
-    cut.x = SATStretchesFrom(corner.x, before.x, corner.z, after.z);
-    cut.y = SATStretchesFrom(corner.y, before.y, corner.w, after.w);
+    cut.x = SATStretchesFrom(corner.x, FloatPairLane(before, 0), corner.z, FloatPairLane(after, 2));
+    cut.y = SATStretchesFrom(corner.y, FloatPairLane(before, 1), corner.w, FloatPairLane(after, 3));
     return cut;
 }
 
 // SATStretchesLength: how many texels they are, in every lane.
 FloatPair SATStretchesLength(SATStretches s)
 {
-    float whole = s.weight.y * float(s.corner.z - s.corner.y);
-    return FloatPairAdd(FloatPairSum((float4)s.weight.x, (float4)s.weight.z), FloatPairSplat(whole));
+    float whole = s.weight.high.y * float(s.corner.z - s.corner.y);
+    FloatPair parts = FloatPairAdd(FloatPairLane(s.weight, 0), FloatPairLane(s.weight, 2));
+    return FloatPairAdd(parts, FloatPairSplat(whole));
 }
 
 // SATEdgesArea: the area of a box that is not cut, in texels, in every lane.
@@ -264,7 +277,7 @@ FloatPair SATCutArea(SATCutBox cut)
 //   returns  sum per channel, in codes x texels
 //
 // Range:  as long as the whole texels' sum fits into the words (SATBoxIsExact); else it is wrong.
-// Error:  some 2^-43 of the sum of magnitudes; that of the weights, 2^-24 of each part of a texel, comes before it
+// Error:  some 2^-43 of the sum of magnitudes: nothing beside the rounding of a mean to float
 //         (ExactFilter.MeansAreRightToTheLastBit). 0 with whole edges and sums below 2^48.
 // Cost:   16 loads a word; 64 where the image is repeated and the box lies outside.
 FloatPair SATSumCutBox(SATExactTable table, SATFrame frame, SATCutBox cut)
@@ -286,13 +299,13 @@ FloatPair SATSumCutBox(SATExactTable table, SATFrame frame, SATCutBox cut)
             if (row > 0 && column > 0)
             {
                 FloatPair part = SATWideToPair(SATWideSub(strip, above[column]), table.words, table.isSigned);
-                rowSum = FloatPairAdd(rowSum, FloatPairScale(part, cut.x.weight[column - 1]));
+                rowSum = FloatPairAdd(rowSum, FloatPairMul(FloatPairLane(cut.x.weight, column - 1), part));
             }
             above[column] = strip;
             left = corner;
         }
         if (row > 0)
-            sum = FloatPairAdd(sum, FloatPairScale(rowSum, cut.y.weight[row - 1]));
+            sum = FloatPairAdd(sum, FloatPairMul(rowSum, FloatPairLane(cut.y.weight, row - 1)));
     }
     return sum;
 }

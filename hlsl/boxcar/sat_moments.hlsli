@@ -67,7 +67,7 @@ SATMoments SATMomentsOf(SATExactTable table, SATFrame frame, SATBox box)
             SATWide strip = SATWideSub(corner, left);
             if (row > 0 && column > 0)
             {
-                float weight = x.weight[column - 1] * y.weight[row - 1];
+                float weight = x.weight.high[column - 1] * y.weight.high[row - 1];
                 int texels = (x.corner[column] - x.corner[column - 1]) * (y.corner[row] - y.corner[row - 1]);
                 SATWide sums = SATWideSub(strip, above[column]);
                 SATWide codes = SATWideSplat(sums, 0), squares = SATWideSplat(sums, 1);

@@ -298,17 +298,14 @@ FloatPair SATSumOrder(SATExactTable table, int2 extentTexels, int order, int2 ba
                     [unroll(3)]
                     for (int j = 0; j < order; j++)
                         entry = SATWideSub(entry, SATWideScale(middleRows[first + j], fromMiddleY[j]));
-                    FloatPair weight = FloatPairOf((float4)columns[columnKnot].weight.high[columnEntry],
-                                                   (float4)columns[columnKnot].weight.low[columnEntry]);
+                    FloatPair weight = FloatPairLane(columns[columnKnot].weight, columnEntry);
                     rowSum = FloatPairAdd(rowSum, FloatPairMul(weight, SATWideToPair(entry, table.words, true)));
                 }
             }
         }
         if (!isMiddleRow)
         {
-            FloatPair weight = FloatPairOf((float4)rows[rowKnot].weight.high[rowEntry],
-                                           (float4)rows[rowKnot].weight.low[rowEntry]);
-            sum = FloatPairAdd(sum, FloatPairMul(weight, rowSum));
+            sum = FloatPairAdd(sum, FloatPairMul(FloatPairLane(rows[rowKnot].weight, rowEntry), rowSum));
         }
     }
     return sum;

@@ -141,7 +141,7 @@ TEST(Default, TwoTonesStayTwoTones) {
 
     const Outcome floats = folder.Run("filter in.png -o out.png --width 3 --precision fp32");
     EXPECT_EQ(floats.exitCode, 0);
-    EXPECT_NE(floats.err.find("fp32 sums round: a texel may be off by up to"), std::string::npos) << floats.err;
+    EXPECT_NE(floats.err.find("fp32 sums round: the error of a sample is at most"), std::string::npos) << floats.err;
 }
 
 TEST(Default, LargePicturesAreWithinHalfACode) {
@@ -197,6 +197,83 @@ TEST(Default, ALampDoesNotDisturbTheDark) {
     const Outcome stats = folder.Run("filter in.exr -o out.exr --shape parabolic --width 101 --stats");
     EXPECT_NE(stats.err.find("in steps of"), std::string::npos) << stats.err;
     EXPECT_NE(stats.err.find("rounds"), std::string::npos) << "one table does not hold them: " << stats.err;
+}
+
+// Wide kernels, and discs, that only touch the lamp.
+TEST(Default, ALampAtTheRimCountsForWhatIsCovered) {
+    const Folder folder;
+    Picture row{2600, 1, 1, SampleType::Float32, std::vector<float>(2600, 0.02f)};
+    row.samples[1300] = 1e6f;
+    for (const auto& [flags, width] :
+         {std::pair("--width 1023.3x1", 1023.3f), std::pair("--width 2047.1x1", 2047.1f)})
+        EXPECT_LE(WorstShare(folder, row, {flags, 1, width, 1}, kEdges[1]), kMostRelative) << flags;
+
+    std::mt19937 random(12);
+    Picture lamp{61, 61, 1, SampleType::Float32, {}};
+    for (int i = 0; i < 61 * 61; i++)
+        lamp.samples.push_back(static_cast<float>(random() % 1000) * 2e-5f);
+    lamp.samples[30 * 61 + 30] = 1e6f;
+    WritePicture(lamp, folder.Path("in.exr"), FileFormat::Exr, SampleType::Float32);
+    const auto light = ReferenceLight(lamp, false);
+    for (const float diameter : {7.784538269042969f, 23.353614807128906f, 36.738f, 57.3f}) {
+        const Outcome outcome =
+            folder.Run(fmt::format("filter in.exr -o out.exr --shape disc --width {:.9g}", diameter));
+        ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+        const Picture filtered = ReadPicture(folder.Path("out.exr"));
+        for (int y = 0; y < 61; y++)
+            for (int x = 0; x < 61; x++) {
+                const double expected = reference::DiscMean(light, x + 0.5, y + 0.5, diameter, 16, Border::Clip).x;
+                ASSERT_NEAR(filtered.samples[static_cast<size_t>(y * 61 + x)] / expected, 1, kMostRelative)
+                    << "diameter " << diameter << " at " << x << ", " << y;
+            }
+    }
+}
+
+// A gamma so steep that the light of most codes is below every float.
+TEST(Default, LightBelowEveryFloatEnds) {
+    const Folder folder;
+    for (const double gamma : {0.0002, 0.001, 0.01}) {
+        Picture picture = RandomPicture(8, 8, 1, SampleType::Unorm8);
+        picture.colorSpace.gamma = gamma;
+        WritePicture(picture, folder.Path("in.png"), FileFormat::Png, SampleType::Unorm8);
+        for (const char* out : {"out.pfm", "out.png"})
+            EXPECT_EQ(folder.Run(fmt::format("filter in.png -o {} --width 3", out), "", 60).exitCode, 0) << gamma;
+    }
+}
+
+// The width that a refusal names is taken.
+TEST(Default, TheWidthNamedByARefusalFits) {
+    const Folder folder;
+    WritePicture(RandomPicture(20, 10, 3, SampleType::Unorm8), folder.Path("in.png"), FileFormat::Png,
+                 SampleType::Unorm8);
+    for (const char* width : {"1200.5", "1291"}) {
+        const Outcome refused =
+            folder.Run(fmt::format("filter in.png -o out.png --shape parabolic --width {}", width));
+        ASSERT_EQ(refused.exitCode, 1);
+        const size_t at = refused.err.find("64 bits; ");
+        ASSERT_NE(at, std::string::npos) << refused.err;
+        const int named = std::atoi(refused.err.c_str() + at + 9);
+        const Outcome taken = folder.Run(fmt::format("filter in.png -o out.png --shape parabolic --width {}", named));
+        EXPECT_EQ(taken.exitCode, 0) << taken.err;
+    }
+}
+
+// What floats lose is told whatever is taken off, and so is what the steps of integers asked for by name lose.
+TEST(Default, WhatANamedPrecisionLosesIsTold) {
+    const Folder folder;
+    Picture dots{1500, 1000, 1, SampleType::Unorm8, std::vector<float>(1500 * 1000, 0.0f)};
+    for (size_t i = 0; i < dots.samples.size(); i += 50)
+        dots.samples[i] = 1 / 255.0f;
+    WritePicture(dots, folder.Path("in.png"), FileFormat::Png, SampleType::Unorm8);
+    const Outcome half = folder.Run("filter in.png -o out.png --width 3 --transfer raw --precision fp32 --bias half");
+    EXPECT_NE(half.err.find("the error of a sample is at most"), std::string::npos) << half.err;
+    WritePicture(PhotographOf(60, 40, SampleType::Unorm16), folder.Path("in.png"), FileFormat::Png,
+                 SampleType::Unorm16);
+    const Outcome named = folder.Run("filter in.png -o out.png --width 3 --precision u64");
+    EXPECT_EQ(
+        named.err,
+        "boxcar: in.png: u64 by name sums light in steps of 1 / 65535: the error of a sample is at most 6.5 codes; "
+        "leave out --precision for exact sums\n");
 }
 
 // Floats of both signs, over the whole range of normal floats, and half floats of an environment with a sun.
