@@ -7,7 +7,7 @@
 //   DPSampleSAT            one box, round the cone
 //   DPSampleSATStack       boxes one inside the other, for a lobe
 //   DPSampleSATOrder       a tent or a parabolic kernel, from tables of order 2 or 3
-//   DPSampleSATOrderFine   the same from tables twice as long, for lamps in the dark
+//   DPSampleSATOrderFine   the same with tables of what rounding left over, for lamps in the dark
 //   DPSampleSATFixed       as the papers have it: floats, one width in texels all over the faces
 //
 // Hensley 2005, sect. 5.1; Scheuermann 2005 (texDP_SAT)
@@ -43,8 +43,8 @@ DPTables DPTablesOf(Texture2D<uint4> frontLow, Texture2D<uint4> frontHigh, Textu
 }
 
 // DPFineTablesOf: what rounding left over in `tables`, kDPFineScale times as fine; two's complement.
-DPTables DPFineTablesOf(DPTables tables, Texture2D<uint4> frontLow, Texture2D<uint4> frontHigh, Texture2D<uint4> backLow,
-                        Texture2D<uint4> backHigh)
+DPTables DPFineTablesOf(DPTables tables, Texture2D<uint4> frontLow, Texture2D<uint4> frontHigh,
+                        Texture2D<uint4> backLow, Texture2D<uint4> backHigh)
 {
     DPTables fine = tables;
     fine.front = SATTable64(frontLow, frontHigh, true);
@@ -185,8 +185,10 @@ float4 DPSampleSATOrder(DPTables tables, int order, float3 dir, float widthTexel
     return float4(sum.rgb / (tables.codeScale * sum.a), 1.0);
 }
 
-// DPSampleSATOrderFine: DPSampleSATOrder where a code of the tables is too coarse for the dark: a lamp of 10^6 leaves light
-// of 0.02 right (DualParaboloid.TheDarkBesideALampIsRight).
+// DPSampleSATOrderFine: DPSampleSATOrder where a code of the tables is too coarse for the dark beside a lamp.
+//
+// Error: beyond that of DPSampleSATOrder, of light of 0.02 beside a lamp of 10^6: 2e-4
+//        (DualParaboloid.TheDarkBesideALampIsRight).
 //
 //   fine  DPFineTablesOf(tables, ..)
 //

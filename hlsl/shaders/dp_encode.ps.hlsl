@@ -1,5 +1,6 @@
 // dp_encode.ps: a face as the whole numbers that an exact table sums: light times weight in rgb, the weight in alpha, as
-// one and the same code in both, so that a constant stays constant. FINE: what rounding left over of the light, 0 in alpha.
+// one and the same code in both, so that a constant stays constant. FINE: what rounding left over of the light, 0 in
+// alpha.
 #include "boxcar/compat.hlsli"
 #include "boxcar/dual_paraboloid_range.h"
 #include "boxcar/texel.hlsli"
