@@ -14,6 +14,7 @@
 #include "passes_shaders.h"
 #include "samples/scenes/surroundings.h"
 #include "test_support_shaders.h"
+#include "tests/effects/effect_pictures.h"
 #include "tests/hlsl/test_constants.h"
 #include "tests/support/device_image.h"
 
@@ -476,6 +477,30 @@ TEST(DualParaboloid, TheDarkBesideALampIsRight) {
         RecordProperty(which, fmt::format("{:.4f} %, boxes up to {}", 100 * largestError, largest));
         EXPECT_LE(largestError, 0.001) << which;
         EXPECT_EQ(reflections.IsFine(), isFine) << which;
+    }
+}
+
+// In the effect no place is darker than the dark, at any width of a frame: whether rounding's rest is needed changes.
+TEST(DualParaboloid, ReflectionsAreNoDarkerThanTheDarkBesideALamp) {
+    const EffectInfo& info = FindEffect("glossy-environment");
+    EffectInputs inputs = EffectPictures::InputsFor(info, {80, 50});
+    inputs.environment = {{64, 32}, std::vector(64 * 32, glm::vec4(0.02f))};
+    inputs.environment.texels[10 * 64 + 20] = glm::vec4(1e6f);
+    for (const char* lobe : {"tent", "parabolic"}) {
+        ParameterValues values(info.parameters);
+        values.Set("lobe", lobe);
+        const std::unique_ptr<Effect> effect = info.make(TestDevice(), inputs, values);
+        for (const char* width : {"2", "128", "24"}) {
+            values.Set("width", width);
+            CommandList commands(TestDevice());
+            const Image& picture = effect->Record(commands, {0, values});
+            commands.SubmitAndWait();
+            float darkest = 1;
+            for (const glm::vec4& texel : Download(picture))
+                darkest = std::min(darkest, texel.r);
+            EXPECT_NEAR(darkest, 0.95f * 0.02f, 0.95f * 0.02f * 1e-3f) << lobe << ", " << width;
+            EXPECT_EQ(TakeValidationMessages(), std::vector<std::string>());
+        }
     }
 }
 
