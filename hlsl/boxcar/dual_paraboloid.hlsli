@@ -14,6 +14,7 @@
 #ifndef BOXCAR_DUAL_PARABOLOID_HLSLI
 #define BOXCAR_DUAL_PARABOLOID_HLSLI
 
+#include "boxcar/dual_paraboloid_range.h"
 #include "boxcar/sat.hlsli"
 
 #define DP_FRONT 0
@@ -104,8 +105,6 @@ struct DPCircle
     float2 centre;
     float radius;
 };
-
-static const float kDPLargestRadius = 0.41421356;  // tan(45 degrees / 2)
 
 // DPCircleOf: a cone of directions on a face. The circle of an angle t round a direction at the angle a from the axis has
 // its centre at sin a / (cos t + cos a) and the radius sin t / (cos t + cos a).

@@ -7,6 +7,7 @@
 //   DPSampleSAT            one box, round the cone
 //   DPSampleSATStack       boxes one inside the other, for a lobe
 //   DPSampleSATOrder       a tent or a parabolic kernel, from tables of order 2 or 3
+//   DPSampleSATOrderFine   the same with tables of what rounding left over, for lamps in the dark
 //   DPSampleSATFixed       as the papers have it: floats, one width in texels all over the faces
 //
 // Hensley 2005, sect. 5.1; Scheuermann 2005 (texDP_SAT)
@@ -23,7 +24,7 @@ struct DPTables
     SATExactTable front;
     SATExactTable back;
     int sideTexels;     // of a face
-    int largestTexels;  // width of boxes whose kernel of the tables' order the words hold
+    int largestTexels;  // width of boxes whose kernel of the tables' order the words hold; odd for order 3
     float codeScale;    // colour codes of light 1 and weight code 1
 };
 
@@ -39,6 +40,16 @@ DPTables DPTablesOf(Texture2D<uint4> frontLow, Texture2D<uint4> frontHigh, Textu
     tables.largestTexels = largestTexels;
     tables.codeScale = codeScale;
     return tables;
+}
+
+// DPFineTablesOf: what rounding left over in `tables`, kDPFineScale times as fine; two's complement.
+DPTables DPFineTablesOf(DPTables tables, Texture2D<uint4> frontLow, Texture2D<uint4> frontHigh,
+                        Texture2D<uint4> backLow, Texture2D<uint4> backHigh)
+{
+    DPTables fine = tables;
+    fine.front = SATTable64(frontLow, frontHigh, true);
+    fine.back = SATTable64(backLow, backHigh, true);
+    return fine;
 }
 
 float4 DPSumBox(SATExactTable table, DPCircle circle, int sideTexels)
@@ -133,7 +144,7 @@ float4 DPSumOrderFace(SATExactTable table, int face, DPTables tables, int order,
     int sideTexels = tables.sideTexels;
     // The circle that sets the kernel's middle and scale: of 1.75 sigma on the near face. On the far face it grows into that
     // of the kernel's reach, so that the kernel comes over the rim from nothing.
-    float sigma = 2.0 * widthTexels / (sideTexels * (order == 2 ? 2.316 : 1.923));
+    float sigma = 2.0 * widthTexels / (sideTexels * (order == 2 ? kDPTentOverSigma : kDPParabolicOverSigma));
     float reach = min(order * widthTexels / sideTexels, kDPLargestRadius);
     float comingCosine = -2.0 * reach / (1.0 + reach * reach);
     float farShare = saturate(DPAxisCosine(dir, face) / comingCosine);
@@ -153,20 +164,40 @@ float4 DPSumOrderFace(SATExactTable table, int face, DPTables tables, int order,
     return sum;
 }
 
+// DPSumOrderFaces: both faces.
+float4 DPSumOrderFaces(DPTables tables, int order, float3 dir, float widthTexels)
+{
+    return DPSumOrderFace(tables.front, DP_FRONT, tables, order, dir, widthTexels)
+         + DPSumOrderFace(tables.back, DP_BACK, tables, order, dir, widthTexels);
+}
+
 // DPSampleSATOrder: light under a tent or a parabolic kernel.
 //
 //   order        2: tent, 3: parabolic; of the tables
-//   widthTexels  of the boxes that the kernel is made of, at a face's middle: 2.316 sigma for tents, 1.923 for parabolic
-//                kernels
+//   widthTexels  of the boxes that the kernel is made of, at a face's middle: kDPTentOverSigma, kDPParabolicOverSigma
 //
 // Error: as of DPSampleSATStack: tents 5 %, lamps 36 %; parabolic kernels 6 %, lamps 34 %, both at the rim for n = 10; in the
 //        middle of a face 1 to 2 %.
 // Cost:  36 or 64 loads a word and face.
 float4 DPSampleSATOrder(DPTables tables, int order, float3 dir, float widthTexels)
 {
-    float4 sum = DPSumOrderFace(tables.front, DP_FRONT, tables, order, dir, widthTexels)
-               + DPSumOrderFace(tables.back, DP_BACK, tables, order, dir, widthTexels);
+    float4 sum = DPSumOrderFaces(tables, order, dir, widthTexels);
     return float4(sum.rgb / (tables.codeScale * sum.a), 1.0);
+}
+
+// DPSampleSATOrderFine: DPSampleSATOrder where a code of the tables is too coarse for the dark beside a lamp.
+//
+// Error: beyond that of DPSampleSATOrder, of light of 0.02 beside a lamp of 10^6: 2e-4
+//        (DualParaboloid.TheDarkBesideALampIsRight).
+//
+//   fine  DPFineTablesOf(tables, ..)
+//
+// Cost:  72 or 128 loads a word and face.
+float4 DPSampleSATOrderFine(DPTables tables, DPTables fine, int order, float3 dir, float widthTexels)
+{
+    float4 sum = DPSumOrderFaces(tables, order, dir, widthTexels);
+    float3 rest = DPSumOrderFaces(fine, order, dir, widthTexels).rgb / kDPFineScale;
+    return float4((sum.rgb + rest) / (tables.codeScale * sum.a), 1.0);
 }
 
 // DPSampleSATFixed: the papers' texDP_SAT, with the division that the summed alpha is for: one width in texels everywhere

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hlsl/boxcar/dual_paraboloid_range.h"
 #include "hlsl/constants/dp_constants.h"
 #include "runtime/passes/quad_shaders.h"
 #include "tools/layout/error.h"
@@ -22,14 +23,22 @@ DPFaceConstants FaceConstants(size_t face, uint32_t sideTexels) {
 }
 
 // As many codes as the sum under the largest kernel leaves, and at the most 40 bits: half floats need no more.
-float CodeScaleOf(const DualParaboloidTablesDesc& desc) {
-    BOXCAR_ASSERT(desc.largestTexels >= 1 && desc.largestTexels <= desc.sideTexels);
-    const double mass = std::pow(static_cast<double>(desc.largestTexels), 2.0 * desc.order);
+double LargestCode(uint32_t order, uint32_t largestTexels) {
+    const double mass = std::pow(static_cast<double>(largestTexels), 2.0 * order);
     const double largestCode = std::min(std::ldexp(1.0, 40), std::ldexp(1.0, 63) / mass);
-    if (largestCode < kLargestWeight)
-        throw Error("kernels of order {} of boxes of {} texels: their sums do not fit into 64 bits", desc.order,
-                    desc.largestTexels);
-    return static_cast<float>(largestCode / (kLargestWeight * desc.largestLight));
+    // A fine table's sums, of codes up to half of kDPFineScale, fit then too.
+    if (largestCode < kDPFineScale)
+        throw Error("kernels of order {} of boxes of {} texels: their sums leave less than 23 of 64 bits to a code",
+                    order, largestTexels);
+    return largestCode;
+}
+
+// At the rim a texel weighs a quarter, so that half a step of the codes is up to two of the light in the middle: 256
+// steps leave less than 1 %.
+bool NeedsFine(const DualParaboloidTablesDesc& desc, double largestCode) {
+    constexpr double kSteps = 256;
+    return desc.order > 1 &&
+           largestCode * static_cast<double>(desc.darkestLight) < kSteps * static_cast<double>(desc.largestLight);
 }
 
 }  // namespace
@@ -73,24 +82,44 @@ DualParaboloidTables::Face::Face(Device& device, const DualParaboloidTablesDesc&
       high(device, {Square(desc.sideTexels), Format::RGBA32UI, name + " codes, upper words"}),
       table(device, {.extent = Square(desc.sideTexels), .precision = SATPrecision::U64, .order = desc.order}) {}
 
-DualParaboloidTables::DualParaboloidTables(Device& device, const DualParaboloidTablesDesc& desc)
-    : m_desc(desc),
-      m_codeScale(CodeScaleOf(desc)),
-      m_encode(device, QuadShaders("dp_encode.ps", {Format::RGBA32UI, Format::RGBA32UI})),
-      m_faces{Face(device, desc, kFaceNames[0]), Face(device, desc, kFaceNames[1])} {}
+DualParaboloidTables::Set::Set(Device& device, const DualParaboloidTablesDesc& desc, bool isFine)
+    : encode(device,
+             QuadShaders(fmt::format("dp_encode.ps.FINE={:d}", isFine), {Format::RGBA32UI, Format::RGBA32UI})),
+      faces{Face(device, desc, kFaceNames[0]), Face(device, desc, kFaceNames[1])} {}
 
-TexelWords DualParaboloidTables::RecordFace(CommandList& commands, Face& face, const Image& source) {
-    const DPFaceConstants constants{0, static_cast<int>(m_desc.sideTexels), m_codeScale, m_desc.largestLight};
+DualParaboloidTables::DualParaboloidTables(Device& device, const DualParaboloidTablesDesc& desc)
+    : m_device(device), m_desc(desc), m_coarse(device, desc, false) {}
+
+TexelWords DualParaboloidTables::RecordFace(CommandList& commands, Set& set, size_t face, const Image& source,
+                                            float codeScale) {
+    Face& target = set.faces.at(face);
+    const DPFaceConstants constants{0, static_cast<int>(m_desc.sideTexels), codeScale, m_desc.largestLight};
     commands.Draw({.name = "encode",
-                   .pipeline = m_encode,
+                   .pipeline = set.encode,
                    .reads = {{"face", &source}},
-                   .writes = {&face.low, &face.high},
+                   .writes = {&target.low, &target.high},
                    .constants = ConstantBytes(constants)});
-    return face.table.Record(commands, TexelWords(face.low, face.high));
+    return target.table.Record(commands, TexelWords(target.low, target.high));
 }
 
-DualParaboloidWords DualParaboloidTables::Record(CommandList& commands, const DualParaboloidFaces& faces) {
-    return {RecordFace(commands, m_faces[0], *faces.front), RecordFace(commands, m_faces[1], *faces.back)};
+DualParaboloidWords DualParaboloidTables::RecordSet(CommandList& commands, Set& set, const DualParaboloidFaces& faces,
+                                                    float codeScale) {
+    return {RecordFace(commands, set, 0, *faces.front, codeScale),
+            RecordFace(commands, set, 1, *faces.back, codeScale)};
+}
+
+DualParaboloidSums DualParaboloidTables::Record(CommandList& commands, const DualParaboloidFaces& faces,
+                                                uint32_t largestTexels) {
+    BOXCAR_ASSERT(largestTexels >= 1 && largestTexels <= m_desc.sideTexels);
+    const double largestCode = LargestCode(m_desc.order, largestTexels);
+    const auto codeScale =
+        static_cast<float>(largestCode / (kLargestWeight * static_cast<double>(m_desc.largestLight)));
+    DualParaboloidSums sums{RecordSet(commands, m_coarse, faces, codeScale), {}, codeScale};
+    if (NeedsFine(m_desc, largestCode)) {
+        if (!m_fine) m_fine.emplace(m_device, m_desc, true);
+        sums.fine = RecordSet(commands, *m_fine, faces, codeScale);
+    }
+    return sums;
 }
 
 }  // namespace boxcar

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "runtime/passes/summed_area_table.h"
 
@@ -45,29 +46,41 @@ private:
 struct DualParaboloidTablesDesc {
     uint32_t sideTexels = 256;  // of a face
     uint32_t order = 1;
-    float largestLight = 65504;    // brighter light becomes this
-    uint32_t largestTexels = 256;  // the largest box that a kernel is made of; at the most sideTexels
+    float largestLight = 65504;  // brighter light becomes this
+    float darkestLight = 65504;  // light to be right to 1 % all over the faces; only orders 2 and 3 ask for it
 };
 
+// The tables of both faces.
 struct DualParaboloidWords {
     TexelWords front;
     TexelWords back;
 };
 
-// Exact tables of both faces: light times weight in rgb, the weight in alpha, in whole numbers of 64 bits. Device
-// memory: 192 bytes a texel of a face. Move-only. Not thread-safe.
+// What readers of the tables need.
+struct DualParaboloidSums {
+    DualParaboloidWords tables;
+    std::optional<DualParaboloidWords> fine;  // what rounding left over, kDPFineScale times as fine; read as signed
+
+    // Color codes of light 1 and weight code 1: what readers divide by. Light is coded in steps of 1 over 4096 times
+    // this, relative to the weight of the middle texel.
+    float codeScale;
+};
+
+// Exact tables of both faces: light times weight in rgb, the weight in alpha, in whole numbers of 64 bits: 40 bits a
+// code or as many as the widest kernel leaves (hlsl/boxcar/dual_paraboloid_range.h). Where these are too few for the
+// darkest light there are fine tables too, at twice the time. Device memory: 192 bytes a texel of a face; from the
+// first fine tables on 384. Move-only. Not thread-safe.
 class DualParaboloidTables {
 public:
-    // Throws Error: the sum under the largest kernel does not fit into 64 bits, whatever the light.
+    // `device` must live on.
     DualParaboloidTables(Device& device, const DualParaboloidTablesDesc& desc);
 
-    DualParaboloidWords Record(CommandList& commands, const DualParaboloidFaces& faces);
-
-    // Colour codes of light 1 and weight code 1: what readers divide by. Light is coded in steps of 1 over 4096 times
-    // this, relative to the weight of the middle texel.
-    float CodeScale() const { return m_codeScale; }
-
-    const DualParaboloidTablesDesc& Desc() const { return m_desc; }
+    // Readable up to the next Record().
+    //
+    //   largestTexels  of the boxes that kernels are made of; at the most sideTexels
+    //
+    // Throws Error: sums under the largest kernel leave less than 23 bits to a code.
+    DualParaboloidSums Record(CommandList& commands, const DualParaboloidFaces& faces, uint32_t largestTexels);
 
 private:
     // The codes of a face and their table.
@@ -78,12 +91,21 @@ private:
         SummedAreaTable table;
     };
 
-    TexelWords RecordFace(CommandList& commands, Face& face, const Image& source);
+    // Both faces in codes, or what rounding left over of them.
+    struct Set {
+        Set(Device& device, const DualParaboloidTablesDesc& desc, bool isFine);
 
+        Pipeline encode;
+        std::array<Face, 2> faces;
+    };
+
+    DualParaboloidWords RecordSet(CommandList& commands, Set& set, const DualParaboloidFaces& faces, float codeScale);
+    TexelWords RecordFace(CommandList& commands, Set& set, size_t face, const Image& source, float codeScale);
+
+    Device& m_device;
     DualParaboloidTablesDesc m_desc;
-    float m_codeScale;
-    Pipeline m_encode;
-    std::array<Face, 2> m_faces;
+    Set m_coarse;
+    std::optional<Set> m_fine;
 };
 
 }  // namespace boxcar

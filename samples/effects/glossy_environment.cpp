@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hlsl/boxcar/dual_paraboloid_range.h"
 #include "runtime/passes/dual_paraboloid.h"
 #include "runtime/passes/quad_shaders.h"
 #include "runtime/transfer.h"
@@ -19,6 +20,10 @@ namespace {
 
 constexpr float kBrightestObject = 2;
 constexpr float kLargestWidth = 128;
+
+uint32_t OrderOf(std::string_view lobe) {
+    return lobe == "tent" ? 2 : lobe == "parabolic" ? 3 : 1;
+}
 
 PipelineDesc ReflectionShaders(std::string_view lobe) {
     const std::string pixel = lobe == "papers"      ? "glossy_papers.ps"
@@ -45,13 +50,19 @@ Image GlossTexture(Device& device, bool isUniform) {
     return image;
 }
 
-// What the faces' tables are like for a lobe.
-DualParaboloidTablesDesc TablesFor(std::string_view lobe, uint32_t side, float largestLight) {
-    const uint32_t order = lobe == "tent" ? 2 : lobe == "parabolic" ? 3 : 1;
-    return {.sideTexels = side,
-            .order = order,
-            .largestLight = std::max(largestLight, kBrightestObject),
-            .largestTexels = std::min(side, order == 3 ? 101u : 1024u)};
+// With tables of what rounding left over; orders 2 and 3.
+PipelineDesc FineReflectionShaders(uint32_t order) {
+    return SceneShaders(fmt::format("glossy.ps.LOBE=ORDER{}.FINE=1", order));
+}
+
+// The largest box of a lobe's kernels, anywhere on the faces.
+//
+//   widthTexels  of the box that a lobe is as wide as, at a face's middle
+uint32_t LargestBox(uint32_t order, uint32_t side, float widthTexels) {
+    if (order == 1) return side;
+    const float overSigma = order == 2 ? kDPTentOverSigma : kDPParabolicOverSigma;
+    return static_cast<uint32_t>(
+        DPWidestBox(static_cast<int>(order), static_cast<int>(side), overSigma * widthTexels / kDPBoxOverSigma));
 }
 
 // The papers' tables: floats, what is outside of the disc 0.
@@ -91,7 +102,10 @@ class EnvironmentReflection : public Effect {
 protected:
     EnvironmentReflection(Device& device, const EffectInputs& inputs, uint32_t side, std::string_view lobe,
                           DPMapping mapping)
-        : m_surroundings(device, inputs.environment, side),
+        : m_device(device),
+          m_side(side),
+          m_order(OrderOf(lobe)),
+          m_surroundings(device, inputs.environment, side),
           m_paraboloid(device, side, mapping),
           m_reflecting(device, ReflectionShaders(lobe)),
           m_matt(device, SceneShaders("scene.ps")),
@@ -105,7 +119,11 @@ protected:
         if (lobe == "papers")
             m_floats.emplace(device, side);
         else
-            m_tables.emplace(device, TablesFor(lobe, side, m_surroundings.LargestLight()));
+            m_tables.emplace(device, DualParaboloidTablesDesc{
+                                         .sideTexels = side,
+                                         .order = m_order,
+                                         .largestLight = std::max(m_surroundings.LargestLight(), kBrightestObject),
+                                         .darkestLight = m_surroundings.DarkestLight()});
     }
 
 private:
@@ -123,9 +141,10 @@ private:
         const Camera camera = CameraAt(time);
         const glm::mat4 clip = ClipFromWorld(camera, m_picture.Extent());
         SceneObject object{.mesh = &m_object, .albedo = chosen.albedo, .optionA = chosen.widthTexels};
+        std::vector<Read> reads = ReadTables(commands, faces, object);
         Pass pass{.name = "object",
-                  .pipeline = m_reflecting,
-                  .reads = ReadTables(commands, faces, object),
+                  .pipeline = m_isFine ? *m_reflectingFine : m_reflecting,
+                  .reads = std::move(reads),
                   .writes = {&m_picture},
                   .depth = &m_depth,
                   .clearsDepth = true};
@@ -157,22 +176,37 @@ private:
         if (m_floats)
             return {{"frontTable", &m_floats->Record(commands, m_floats->front, *faces.front)},
                     {"backTable", &m_floats->Record(commands, m_floats->back, *faces.back)}};
-        const DualParaboloidWords tables = m_tables->Record(commands, faces);
-        AddTableStages("front-table", tables.front);
-        AddTableStages("back-table", tables.back);
-        object.optionB = m_tables->CodeScale();
-        object.optionC = static_cast<float>(m_tables->Desc().largestTexels);
-        return {{"frontLow", tables.front.low},
-                {"frontHigh", tables.front.high},
-                {"backLow", tables.back.low},
-                {"backHigh", tables.back.high}};
+        const uint32_t largestTexels = LargestBox(m_order, m_side, object.optionA);
+        const DualParaboloidSums sums = m_tables->Record(commands, faces, largestTexels);
+        object.optionB = sums.codeScale;
+        object.optionC = static_cast<float>(largestTexels);
+        std::vector<Read> reads{{"frontLow", sums.tables.front.low},
+                                {"frontHigh", sums.tables.front.high},
+                                {"backLow", sums.tables.back.low},
+                                {"backHigh", sums.tables.back.high}};
+        AddTableStages("front-table", sums.tables.front);
+        AddTableStages("back-table", sums.tables.back);
+        m_isFine = sums.fine.has_value();
+        if (!m_isFine) return reads;
+        if (!m_reflectingFine) m_reflectingFine.emplace(m_device, FineReflectionShaders(m_order));
+        AddTableStages("front-table-fine", sums.fine->front);
+        AddTableStages("back-table-fine", sums.fine->back);
+        reads.insert(reads.end(), {{"fineFrontLow", sums.fine->front.low},
+                                   {"fineFrontHigh", sums.fine->front.high},
+                                   {"fineBackLow", sums.fine->back.low},
+                                   {"fineBackHigh", sums.fine->back.high}});
+        return reads;
     }
 
+    Device& m_device;
+    uint32_t m_side, m_order;
+    bool m_isFine = false;  // of this frame
     Surroundings m_surroundings;
     DualParaboloid m_paraboloid;
     std::optional<DualParaboloidTables> m_tables;
     std::optional<FloatTables> m_floats;
     Pipeline m_reflecting, m_matt;
+    std::optional<Pipeline> m_reflectingFine;  // from the first frame on that needs it
     Mesh m_object, m_sphere;
     Image m_uniform, m_waves, m_picture, m_depth;
 };

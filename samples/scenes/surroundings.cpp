@@ -45,8 +45,15 @@ Surroundings::Surroundings(Device& device, const Environment& environment, uint3
       m_face(device, {{sideTexels, sideTexels}, Format::RGBA32F, "cube face"}),
       m_depth(device, {{sideTexels, sideTexels}, Format::Depth32F, "cube face's depth"}),
       m_cube(device, {.extent = {sideTexels, sideTexels}, .name = "cube", .layers = 6}) {
+    std::vector<float> lit;
     for (const glm::vec4& texel : environment.texels)
-        m_largestLight = std::max({m_largestLight, texel.r, texel.g, texel.b});
+        for (const float light : {texel.r, texel.g, texel.b})
+            if (light > 0) lit.push_back(light);
+    if (lit.empty()) return;
+    m_largestLight = *std::ranges::max_element(lit);
+    const auto darkest = lit.begin() + static_cast<std::ptrdiff_t>(lit.size() / 100);
+    std::ranges::nth_element(lit, darkest);
+    m_darkestLight = *darkest;
 }
 
 const Image& Surroundings::Record(CommandList& commands, std::span<const SceneObject> objects) {

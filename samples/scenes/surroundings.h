@@ -26,10 +26,14 @@ public:
     // The brightest channel of the environment.
     float LargestLight() const { return m_largestLight; }
 
+    // What 99 of 100 channels that are not 0 are not below: what is darker is taken for noise. The brightest where
+    // all are 0.
+    float DarkestLight() const { return m_darkestLight; }
+
 private:
     void DrawBackdrop(CommandList& commands, glm::vec3 right, glm::vec3 up, glm::vec3 forward, const Image& target);
 
-    float m_largestLight = 0;
+    float m_largestLight = 0, m_darkestLight = 0;
     Pipeline m_backdrop, m_objects;
     Image m_environment, m_face, m_depth, m_cube;
 };

@@ -10,9 +10,11 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
+#include "hlsl/boxcar/dual_paraboloid_range.h"
 #include "passes_shaders.h"
 #include "samples/scenes/surroundings.h"
 #include "test_support_shaders.h"
+#include "tests/effects/effect_pictures.h"
 #include "tests/hlsl/test_constants.h"
 #include "tests/support/device_image.h"
 
@@ -241,36 +243,50 @@ public:
           m_tables(TestDevice(), {.sideTexels = side,
                                   .order = order,
                                   .largestLight = m_surroundings.LargestLight(),
-                                  .largestTexels = largestTexels}) {}
+                                  .darkestLight = m_surroundings.DarkestLight()}),
+          m_largestTexels(largestTexels) {}
 
     Texels Sample(const std::string& lobe, const std::vector<glm::dvec3>& directions, double widthTexels,
                   int boxes = 4) {
         const Image image = UploadDirections(directions);
         Image result(TestDevice(), {image.Extent(), Format::RGBA32F, "light"});
-        const Pipeline pipeline(TestDevice(), {passes_shaders::Find("shaders/quad.vs"),
-                                               test_support_shaders::Find("shaders/dp_sample.ps.LOBE=" + lobe)});
-        const DPSampleConstants constants{static_cast<float>(widthTexels), m_tables.CodeScale(),
-                                          static_cast<int>(m_tables.Desc().largestTexels), boxes};
         CommandList commands(TestDevice());
-        const DualParaboloidWords tables =
-            m_tables.Record(commands, m_paraboloid.Record(commands, m_surroundings.Record(commands, {})));
+        const DualParaboloidSums sums = m_tables.Record(
+            commands, m_paraboloid.Record(commands, m_surroundings.Record(commands, {})), m_largestTexels);
+        const DPSampleConstants constants{static_cast<float>(widthTexels), sums.codeScale,
+                                          static_cast<int>(m_largestTexels), boxes};
+        std::vector<Read> reads = {{"frontLow", sums.tables.front.low},
+                                   {"frontHigh", sums.tables.front.high},
+                                   {"backLow", sums.tables.back.low},
+                                   {"backHigh", sums.tables.back.high},
+                                   {"directions", &image}};
+        m_isFine = sums.fine.has_value();
+        if (m_isFine)
+            reads.insert(reads.end(), {{"fineFrontLow", sums.fine->front.low},
+                                       {"fineFrontHigh", sums.fine->front.high},
+                                       {"fineBackLow", sums.fine->back.low},
+                                       {"fineBackHigh", sums.fine->back.high}});
+        const Pipeline pipeline(TestDevice(), {passes_shaders::Find("shaders/quad.vs"),
+                                               test_support_shaders::Find("shaders/dp_sample.ps.LOBE=" + lobe +
+                                                                          (m_isFine ? ".FINE=1" : ""))});
         commands.Draw({.name = "sample",
                        .pipeline = pipeline,
-                       .reads = {{"frontLow", tables.front.low},
-                                 {"frontHigh", tables.front.high},
-                                 {"backLow", tables.back.low},
-                                 {"backHigh", tables.back.high},
-                                 {"directions", &image}},
+                       .reads = std::move(reads),
                        .writes = {&result},
                        .constants = ConstantBytes(constants)});
         commands.SubmitAndWait();
         return Download(result);
     }
 
+    // Whether the last Sample() needed what rounding left over.
+    bool IsFine() const { return m_isFine; }
+
 private:
     Surroundings m_surroundings;
     DualParaboloid m_paraboloid;
     DualParaboloidTables m_tables;
+    uint32_t m_largestTexels;
+    bool m_isFine = false;
 };
 
 TEST(DualParaboloid, AConstantEnvironmentStaysConstant) {
@@ -416,6 +432,100 @@ TEST(DualParaboloid, LobesAreWithinTheirBoundsOfTheIntegralOverRealEnvironments)
             }
         }
     }
+}
+
+// Where a lobe shows nothing of a lamp, it shows the dark, however bright the lamp: over 100 degrees away from it,
+// for kernels end before. On faces of 1024 the widest tent of glossy-environment.
+TEST(DualParaboloid, TheDarkBesideALampIsRight) {
+    constexpr uint32_t kWidth = 64, kHeight = 32;
+    const glm::dvec3 towardsLamp = [] {
+        const double polar = kPi * 10.5 / kHeight, longitude = 2 * kPi * (20.5 / kWidth - 0.5);
+        return glm::dvec3(std::sin(polar) * std::sin(longitude), std::cos(polar),
+                          -std::sin(polar) * std::cos(longitude));
+    }();
+    std::vector<glm::dvec3> directions;
+    for (const glm::dvec3& dir : DirectionsAllOver())
+        if (glm::dot(dir, towardsLamp) < std::cos(100 * kPi / 180)) directions.push_back(dir);
+    ASSERT_GT(directions.size(), 300u);
+    const struct {
+        const char* name;
+        uint32_t order, side;
+        double exponent;
+        float lamp;
+        bool isFine;
+    } kCases[] = {{"ORDER2", 2, 256, 80, 1e6f, false},  {"ORDER2", 2, 1024, 43, 1e6f, true},
+                  {"ORDER2", 2, 256, 80, 65504, false}, {"ORDER3", 3, 128, 40, 1e6f, true},
+                  {"ORDER3", 3, 256, 80, 1e6f, true},   {"ORDER3", 3, 256, 1600, 1e6f, false},
+                  {"ORDER3", 3, 256, 80, 65504, false}, {"ORDER3", 3, 256, 43, 65504, true},
+                  {"ORDER3", 3, 512, 24, 1e6f, true}};
+    for (const auto& [name, order, side, exponent, lamp, isFine] : kCases) {
+        Environment environment{{kWidth, kHeight}, std::vector(kWidth * kHeight, glm::vec4(0.02f))};
+        environment.texels[10 * kWidth + 20] = glm::vec4(lamp);
+        const double overSigma = static_cast<double>(order == 2 ? kDPTentOverSigma : kDPParabolicOverSigma);
+        const double widthTexels = overSigma * 0.5 / std::sqrt(exponent) * side / 2;
+        const int largest =
+            DPWidestBox(static_cast<int>(order), static_cast<int>(side), static_cast<float>(widthTexels));
+        Reflections reflections(environment, side, order, static_cast<uint32_t>(largest));
+        const Texels light = reflections.Sample(name, directions, widthTexels);
+        double largestError = 0;
+        for (size_t i = 0; i < directions.size(); i++) {
+            const double expected = ReferenceLobe(environment, directions[i], exponent).r;
+            for (int c = 0; c < 3; c++)
+                largestError = std::max(largestError, std::abs(static_cast<double>(light[i][c]) / expected - 1));
+        }
+        const std::string which = fmt::format("{}_{}_n{}_lamp{}", name, side, exponent, lamp);
+        RecordProperty(which, fmt::format("{:.4f} %, boxes up to {}", 100 * largestError, largest));
+        EXPECT_LE(largestError, 0.001) << which;
+        EXPECT_EQ(reflections.IsFine(), isFine) << which;
+    }
+}
+
+// In the effect no place is darker than the dark, at any width of a frame: whether rounding's rest is needed changes.
+TEST(DualParaboloid, ReflectionsAreNoDarkerThanTheDarkBesideALamp) {
+    const EffectInfo& info = FindEffect("glossy-environment");
+    EffectInputs inputs = EffectPictures::InputsFor(info, {80, 50});
+    inputs.environment = {{64, 32}, std::vector(64 * 32, glm::vec4(0.02f))};
+    inputs.environment.texels[10 * 64 + 20] = glm::vec4(1e6f);
+    for (const char* lobe : {"tent", "parabolic"}) {
+        ParameterValues values(info.parameters);
+        values.Set("lobe", lobe);
+        const std::unique_ptr<Effect> effect = info.make(TestDevice(), inputs, values);
+        for (const char* width : {"2", "128", "24"}) {
+            values.Set("width", width);
+            CommandList commands(TestDevice());
+            const Image& picture = effect->Record(commands, {0, values});
+            commands.SubmitAndWait();
+            float darkest = 1;
+            for (const glm::vec4& texel : Download(picture))
+                darkest = std::min(darkest, texel.r);
+            EXPECT_NEAR(darkest, 0.95f * 0.02f, 0.95f * 0.02f * 1e-3f) << lobe << ", " << width;
+            EXPECT_EQ(TakeValidationMessages(), std::vector<std::string>());
+        }
+    }
+}
+
+// Kernels are not cut narrower than they are: wider words show the same.
+TEST(DualParaboloid, NoBoxIsWiderThanTheWidestOne) {
+    const Environment environment = Coarser(SampleEnvironment("city"), 4);
+    const std::vector<glm::dvec3> directions = EvenDirections(1000);
+    for (const int order : {2, 3})
+        for (const double width : {1.0, 5.0, 11.3, 17.0}) {
+            const int side = order == 2 ? 256 : 200;
+            const int widest = DPWidestBox(order, side, static_cast<float>(width));
+            const std::string lobe = fmt::format("ORDER{}", order);
+            const auto sample = [&](int largest) {
+                return Reflections(environment, static_cast<uint32_t>(side), static_cast<uint32_t>(order),
+                                   static_cast<uint32_t>(largest))
+                    .Sample(lobe, directions, width);
+            };
+            EXPECT_LT(widest, 5 * width + 2);
+            const Texels light = sample(widest), wider = sample(order == 2 ? side : 101);
+            for (size_t i = 0; i < directions.size(); i++)
+                EXPECT_NEAR(static_cast<double>(light[i].r / wider[i].r), 1, 2e-4) << lobe << ", " << width;
+        }
+    EXPECT_EQ(DPWidestBox(3, 64, 60), 63);  // odd: SATSumWhole takes no other
+    EXPECT_EQ(DPWidestBox(3, 256, 75), 101);
+    EXPECT_EQ(DPWidestBox(2, 256, 90), 256);
 }
 
 // How narrow a lobe may be: on faces of 256 texels the texels of the faces and of the cube map blur it too.

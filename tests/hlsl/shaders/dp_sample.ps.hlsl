@@ -1,4 +1,4 @@
-// Light round directions that come from a picture of them. LOBE as in glossy.ps.
+// Light round directions that come from a picture of them. LOBE and FINE as in glossy.ps.
 #include "boxcar/compat.hlsli"
 #include "boxcar/dual_paraboloid_sat.hlsli"
 #include "shaders/quad_io.hlsli"
@@ -15,6 +15,12 @@ Texture2D<uint4> frontHigh : register(t1);
 Texture2D<uint4> backLow : register(t2);
 Texture2D<uint4> backHigh : register(t3);
 Texture2D<float4> directions : register(t4);
+#ifdef FINE
+Texture2D<uint4> fineFrontLow : register(t5);
+Texture2D<uint4> fineFrontHigh : register(t6);
+Texture2D<uint4> fineBackLow : register(t7);
+Texture2D<uint4> fineBackHigh : register(t8);
+#endif
 
 float4 main(QuadVertex i) : SV_Target0
 {
@@ -24,6 +30,9 @@ float4 main(QuadVertex i) : SV_Target0
     return DPSampleSAT(tables, dir, g.widthTexels);
 #elif LOBE == STACK
     return DPSampleSATStack(tables, dir, g.widthTexels, g.boxes);
+#elif defined(FINE)
+    DPTables fine = DPFineTablesOf(tables, fineFrontLow, fineFrontHigh, fineBackLow, fineBackHigh);
+    return DPSampleSATOrderFine(tables, fine, LOBE == ORDER2 ? 2 : 3, dir, g.widthTexels);
 #elif LOBE == ORDER2
     return DPSampleSATOrder(tables, 2, dir, g.widthTexels);
 #else
