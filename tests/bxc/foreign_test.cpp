@@ -44,6 +44,32 @@ TEST_F(ForeignTest, PositionOfAnInoutParameterIsThePositionWhereverItStands) {
     }
 }
 
+TEST_F(ForeignTest, InvalidTypesAndStagesAreToldWithTheWayOut) {
+    struct Case {
+        const char* text;
+        const char* profile;
+        const char* message;
+    };
+    const Case cases[] = {
+        {"float4 main(float4 p : SV_Position, nointerpolation bool b : B) : SV_Target { return b ? 1 : 0; }", "ps",
+         " in 'main', which is its fault and not the shader's: declare 'b' uint ("},
+        {"float4 main(float i : SV_VertexID) : SV_Position { return i; }", "vs",
+         "SPIR-V in 'main': declare 'i' uint ("},
+        {"float4 main(uint f : SV_IsFrontFace) : SV_Target { return f; }", "ps",
+         "SPIR-V in 'main': declare 'f' bool ("},
+        {"float4 main(out float2 d : SV_Depth) : SV_Target { d = 1; return 1; }", "ps", "declare 'd' float ("},
+        {"bool main(float a : A) : SV_Target { return a > 0; }", "ps", "declare the result uint ("},
+        {"float4 main(float2 a : A) : SV_Position { return ddx(a.x); }", "vs",
+         "SPIR-V in 'main': ddx, ddy, fwidth and Sample are for pixel shaders ("},
+        {"float4 main(float2 a : A) : SV_Position { clip(a); return 1; }", "vs", "discard and clip are for pixel"},
+        {"groupshared float g; float4 main() : SV_Target { g = 1; return g; }", "ps", "is for compute shaders ("}};
+    for (const Case& each : cases) {
+        const RunResult run = Run(each.text, each.profile);
+        EXPECT_EQ(run.exitCode, 1);
+        EXPECT_NE(run.err.find(each.message), std::string::npos) << run.err;
+    }
+}
+
 TEST_F(ForeignTest, PixelCoordinateMayHaveAnIndexOfZero) {
     const ShaderLayout layout =
         Compile("float4 main(float4 p : SV_Position0, float2 uv : UV) : SV_Target0 { return p + uv.xyxy; }", "ps");
