@@ -36,6 +36,13 @@ TEST_F(ForeignFlagsTest, MatricesLieByRowsWithZpr) {
     EXPECT_EQ(sizes(Compile(text, "ps", {"/Zpr", "/Zpc"})), (std::vector<uint32_t>{64, 64, 48}));
 }
 
+TEST_F(ForeignFlagsTest, YearFollowsWithoutASpace) {
+    const std::string text = "float4 main(float4 a : A) : SV_Target0 { return select(a > 0, a, 1); }\n";
+    Compile(text, "ps", {"-HV2021"});
+    Compile(text, "ps", {"/HV2021"});
+    EXPECT_EQ(Run(text, "ps", {"-HV2018"}).exitCode, 1);
+}
+
 TEST_F(ForeignFlagsTest, RegistersShiftAsTheFlagsSay) {
     const std::string text =
         "cbuffer Params : register(b2) { float4 tint; };\n"

@@ -44,6 +44,64 @@ TEST_F(ForeignTest, PositionOfAnInoutParameterIsThePositionWhereverItStands) {
     }
 }
 
+TEST_F(ForeignTest, InvalidTypesAndStagesAreToldWithTheWayOut) {
+    struct Case {
+        const char* text;
+        const char* profile;
+        const char* message;
+    };
+    const Case cases[] = {
+        {"float4 main(float4 p : SV_Position, nointerpolation bool b[2] : B) : SV_Target { return b[0] ? 1 : 0; }",
+         "ps", " in 'main', which is its fault and not the shader's: declare 'b' uint ("},
+        {"float4 main(float i : SV_VertexID) : SV_Position { return i; }", "vs",
+         "SPIR-V in 'main': declare 'i' uint ("},
+        {"float4 main(uint f : SV_IsFrontFace) : SV_Target { return f; }", "ps",
+         "SPIR-V in 'main': declare 'f' bool ("},
+        {"float4 main(out float2 d : SV_Depth) : SV_Target { d = 1; return 1; }", "ps", "declare 'd' float ("},
+        {"float4 main(float2 a : A) : SV_Position { return ddx(a.x); }", "vs",
+         "SPIR-V in 'main': ddx, ddy, fwidth and Sample are for pixel shaders ("},
+        {"float4 main(float2 a : A) : SV_Position { clip(a); return 1; }", "vs", "discard and clip are for pixel"},
+        {"groupshared float g; float4 main() : SV_Target { g = 1; return g; }", "ps", "is for compute shaders ("}};
+    for (const Case& each : cases) {
+        const RunResult run = Run(each.text, each.profile);
+        EXPECT_EQ(run.exitCode, 1);
+        EXPECT_NE(run.err.find(each.message), std::string::npos) << run.err;
+    }
+}
+
+TEST_F(ForeignTest, BoolsTravelBetweenStagesAsUint) {
+    constexpr uint16_t kOpDecorate = 71, kOpSelect = 169, kOpINotEqual = 171;
+    constexpr uint32_t kFlat = 14;
+    const auto count = [&](uint16_t opcode) {
+        const SpirvModule module(Spirv());
+        return std::ranges::count(module.instructions, opcode, &SpirvInstruction::opcode);
+    };
+    const auto types = [](const std::vector<LayoutVariable>& variables) {
+        Words names;
+        for (const LayoutVariable& each : variables)
+            names.push_back(each.type);
+        return names;
+    };
+    const std::string vertex =
+        "void main(float4 p : P, bool a : A, bool3 b : B, out float4 o : SV_Position, out bool c : C,\n"
+        "          out bool2 d : D) { o = p; c = a; d = b.xz; }\n";
+    for (const char* level : {"-O0", "-O3"}) {
+        const ShaderLayout layout = Compile(vertex, "vs", {level});
+        EXPECT_EQ(types(layout.inputs), (Words{"float4", "uint", "uint3"}));
+        EXPECT_EQ(types(layout.outputs), (Words{"uint", "uint2"}));
+        EXPECT_EQ(count(kOpINotEqual), 2);
+        EXPECT_EQ(count(kOpSelect), 2);
+    }
+    Write("a.vs.hlsl", vertex);
+    const ShaderLayout layout = Compile(
+        "float4 main(float4 o : SV_Position, bool c : C, nointerpolation bool2 d : D, bool front : SV_IsFrontFace)\n"
+        "    : SV_Target0 { return c && d.y && front ? 1 : 0; }\n",
+        "ps", {"--after", "a.vs.hlsl", "-Zi"});
+    EXPECT_EQ(types(layout.inputs), (Words{"uint", "uint2"}));
+    EXPECT_EQ(count(kOpINotEqual), 2);
+    EXPECT_EQ(Count(kOpDecorate, kFlat), 3u);  // c, d, and front, which stays a bool
+}
+
 TEST_F(ForeignTest, PixelCoordinateMayHaveAnIndexOfZero) {
     const ShaderLayout layout =
         Compile("float4 main(float4 p : SV_Position0, float2 uv : UV) : SV_Target0 { return p + uv.xyxy; }", "ps");

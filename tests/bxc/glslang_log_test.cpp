@@ -77,6 +77,13 @@ TEST_F(GlslangLogTest, AttributesThatMeanNothingToVulkanAreLeftOut) {
                      "a.hlsl:1: error: 'shader': unrecognized attribute"}));
 }
 
+TEST_F(GlslangLogTest, AttributesOfAnEntryPointStandOnLinesAboveIt) {
+    Write("a.hlsl", "[maxtessfactor(15)]\n[domain(\"tri\")]\nV main() {\n\n}\n[loop]\nV other() {\n");
+    EXPECT_EQ(Messages("WARNING: a.hlsl:3: '' : attribute does not apply to entry point \n"
+                       "WARNING: a.hlsl:7: '' : attribute does not apply to entry point \n"),
+              Names{"a.hlsl:7: warning: attribute does not apply to entry point"});
+}
+
 TEST_F(GlslangLogTest, MissingPartOfTheCompilerIsItsFault) {
     EXPECT_EQ(
         Messages("Missing functionality: matrix swizzle\n"),

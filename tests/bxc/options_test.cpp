@@ -173,7 +173,8 @@ TEST(OptionsTest, FlagsThatBxcCannotMeanAreRefusedWithTheReason) {
          "'-fspv-target-env=vulkan1.0': the SPIR-V is version 1.3, for Vulkan 1.1 and later: expected vulkan1.1 or "
          "later"},
         {{"-fvk-t-shift", "x", "0"}, "'-fvk-t-shift x': expected a whole number from 0 to 65535"},
-        {{"-fvk-t-shift", "1", "-1"}, "'-fvk-t-shift 1 -1': expected a whole number from 0 to 65535"},
+        {{"-fvk-t-shift", "1", "-1"}, "'-fvk-t-shift 1 -1': expected a space from 0 to 65535, or all"},
+        {{"-fvk-t-shift", "1", "foo"}, "'-fvk-t-shift 1 foo': expected a space from 0 to 65535, or all"},
         {{"-fvk-t-shift", "1"}, "'-fvk-t-shift' needs two values"},
         {{"-Vn", "1a"}, "'-Vn 1a': expected the name of a variable in C"}};
     for (const auto& [flags, message] : refusals) {

@@ -68,6 +68,8 @@ TEST_F(SourceTest, IncludesThatNestTooDeepAreRefused) {
 TEST_F(SourceTest, WhatIsNotAReadableTextIsRefused) {
     Write("binary.hlsl", std::string("abc\0def", 7));
     EXPECT_EQ(OpenError("binary.hlsl"), "cannot read 'binary.hlsl': it is not text: byte 3 is 0");
+    Write("words.hlsl", "\x03\x02#\x07");
+    EXPECT_EQ(OpenError("words.hlsl"), "cannot read 'words.hlsl': it is not text: byte 0 is 3");
     EXPECT_EQ(OpenError("none.hlsl"), "cannot read 'none.hlsl': No such file or directory");
     EXPECT_EQ(OpenError("."), "cannot read '.': it is a directory");
     EXPECT_EQ(OpenError("/dev/zero"), "cannot read '/dev/zero': it is longer than 16 MiB");
@@ -81,6 +83,16 @@ TEST_F(SourceTest, TextOfUpTo16MibIsAccepted) {
     EXPECT_NE(source.Open("most.hlsl", error), nullptr) << error;
     EXPECT_EQ(source.Open("more.hlsl", error), nullptr);
     EXPECT_EQ(error, "cannot read 'more.hlsl': it is longer than 16 MiB");
+}
+
+TEST_F(SourceTest, ByteOrderMarkIsNotPartOfTheText) {
+    Write("a.hlsl",
+          "\xef\xbb\xbf"
+          "float uv;");
+    Source source = Make();
+    std::string error;
+    ASSERT_NE(source.Open("a.hlsl", error), nullptr) << error;
+    EXPECT_EQ(source.Open("a.hlsl", error)->text, "float uv;");
 }
 
 TEST_F(SourceTest, PlaceIsTheFirstWholeWordOfTheLine) {

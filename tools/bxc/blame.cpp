@@ -11,10 +11,13 @@
 namespace boxcar {
 namespace {
 
-// A part of the validator's message, and what in the HLSL avoids it.
+enum class Blame { Compiler, Shader };
+
+// A part of the validator's message, and what in the HLSL avoids it; {} is the variable that it is about.
 struct Remedy {
     std::string_view sign;
     std::string_view advice;
+    Blame blame = Blame::Compiler;
 };
 constexpr Remedy kRemedies[] = {
     {"Ldexp", "write x * exp2(e) for ldexp(x, e)"},
@@ -27,17 +30,27 @@ constexpr Remedy kRemedies[] = {
     {"conflicting output location", "give every output a semantic of its own"},
     {"OpTypeImage", "make texture variables in functions, not global or static"},
     {"OpTypeSampler", "make sampler variables in functions, not global or static"},
+    {"If OpTypeBool is stored", "declare {} uint"},
+    {"needs to be a bool scalar", "declare {} bool", Blame::Shader},
+    {"needs to be a 32-bit float scalar", "declare {} float", Blame::Shader},
+    {"needs to be a 32-bit int scalar", "declare {} uint", Blame::Shader},
+    {"needs to be a 32-bit int array", "declare {} uint", Blame::Shader},
+    {"needs to be a 3-component 32-bit int vector", "declare {} uint3", Blame::Shader},
+    {"Derivative instructions require", "ddx, ddy, fwidth and Sample are for pixel shaders", Blame::Shader},
+    {"OpKill requires", "discard and clip are for pixel shaders", Blame::Shader},
+    {"Workgroup Storage Class", "groupshared is for compute shaders", Blame::Shader},
+    {"OpControlBarrier execution scope", "barriers of a group are for compute shaders", Blame::Shader},
 };
 
-std::string_view AdviceFor(std::string_view fault) {
+Remedy RemedyFor(std::string_view fault) {
     const auto found = std::ranges::find_if(
         kRemedies, [&](const Remedy& remedy) { return fault.find(remedy.sign) != std::string_view::npos; });
-    return found != std::end(kRemedies) ? found->advice : "write that part of the shader in another way";
+    return found != std::end(kRemedies) ? *found : Remedy{"", "write that part of the shader in another way"};
 }
 
-// A function and line of the HLSL; "" and a place without a file are unknown.
+// A function, variable and line of the HLSL; "" and a place without a file are unknown.
 struct Origin {
-    std::string function;
+    std::string function, variable;
     SourcePlace place;
 };
 
@@ -84,9 +97,22 @@ size_t FirstUse(const SpirvModule& module, size_t declaration) {
     return declaration;
 }
 
+// The name of the variable that an instruction declares, or "".
+std::string VariableOf(const SpirvModule& module, size_t instruction) {
+    if (instruction == 0 || instruction > module.instructions.size()) return "";
+    const SpirvInstruction& declared = module.instructions[instruction - 1];
+    if (declared.opcode != spv::OpVariable) return "";
+    const auto isItsName = [&](const SpirvInstruction& each) {
+        return each.opcode == spv::OpName && each.operands.at(0) == declared.operands.at(1);
+    };
+    const auto name = std::ranges::find_if(module.instructions, isItsName);
+    return name == module.instructions.end() ? "" : name->Text(1);
+}
+
 Origin OriginOf(const SpirvModule& module, size_t instruction) {
     std::map<uint32_t, std::string> strings, names;
     Origin origin;
+    const std::string variable = VariableOf(module, instruction);
     size_t number = 0;
     for (const SpirvInstruction& each : module.instructions) {
         const std::vector<uint32_t>& operands = each.operands;
@@ -102,9 +128,9 @@ Origin OriginOf(const SpirvModule& module, size_t instruction) {
         if (++number == instruction && origin.function.empty())
             instruction = FirstUse(module, instruction);
         else if (number == instruction)
-            return origin;
+            return {origin.function, variable, origin.place};
     }
-    return {};
+    return {"", variable, {}};
 }
 
 }  // namespace
@@ -117,10 +143,18 @@ Diagnostic BlameCompiler(const SpirvFault& fault, ValidationStep step, const Com
             origin = OriginOf(SpirvModule(withLines), again->instruction);
     if (origin.place.file.empty()) origin.place = {options.file, 0, 0};
     const std::string where = origin.function.empty() ? "" : fmt::format(" in '{}'", origin.function);
+    const Remedy remedy = RemedyFor(fault.text);
+    const bool isResult = origin.variable.starts_with("@entryPointOutput");
+    const std::string variable = isResult                  ? "the result"
+                                 : origin.variable.empty() ? "it"
+                                                           : fmt::format("'{}'", origin.variable);
+    const std::string advice = fmt::format(fmt::runtime(remedy.advice), variable);
+    if (remedy.blame == Blame::Shader)
+        return {origin.place, Severity::Error, fmt::format("invalid SPIR-V{}: {} ({})", where, advice, fault.text)};
     const char* const maker = step == ValidationStep::Final ? "from the optimizer" : "from the compiler";
     return {origin.place, Severity::Error,
-            fmt::format("invalid SPIR-V {}{}, which is its fault and not the shader's: {} ({})", maker, where,
-                        AdviceFor(fault.text), fault.text)};
+            fmt::format("invalid SPIR-V {}{}, which is its fault and not the shader's: {} ({})", maker, where, advice,
+                        fault.text)};
 }
 
 }  // namespace boxcar

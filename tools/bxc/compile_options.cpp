@@ -68,7 +68,12 @@ RegisterShift ParseShift(char registerClass, Values values) {
     const std::string flag = fmt::format("-fvk-{}-shift", registerClass);
     constexpr int kMax = 65535;
     RegisterShift shift{registerClass, ParseNumber(flag, values[0], 0, kMax)};
-    if (values[1] != "all") shift.set = ParseNumber(fmt::format("{} {}", flag, values[0]), values[1], 0, kMax);
+    if (values[1] == "all") return shift;
+    try {
+        shift.set = ParseNumber(flag, values[1], 0, kMax);
+    } catch (const UsageError&) {
+        throw UsageError("'{} {} {}': expected a space from 0 to {}, or all", flag, values[0], values[1], kMax);
+    }
     return shift;
 }
 
@@ -196,7 +201,7 @@ std::vector<Flag> CompileFlags(CompileOptions& options, bool& hasProfile) {
         {"-WX", 0, set(options.warningsAreErrors)},
         {"-Gec", 0, set(options.dx9Compatible)},
         {"-Gis", 0, set(options.strictMath)},
-        {"-HV", 1, [&](Values v) { options.hlslVersion = ParseHlslVersion(v[0]); }},
+        {"-HV", 1, [&](Values v) { options.hlslVersion = ParseHlslVersion(v[0]); }, true},
         {"-Zpr", 0, set(options.rowMajor)},
         {"-Zpc", 0, set(options.rowMajor, false)},
         {"-enable-16bit-types", 0, set(options.native16Bit)},

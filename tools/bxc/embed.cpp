@@ -24,7 +24,7 @@ namespace boxcar::{0} {{
 // Every shader, in the order of the manifest.
 std::span<const EmbeddedShader> All();
 
-// The shader of this name, such as "{1}". Throws Error naming those that there are.
+// The shader of this name, such as {1}. Throws Error naming those that there are.
 const EmbeddedShader& Find(std::string_view name);
 
 }}  // namespace boxcar::{0}
@@ -58,6 +58,16 @@ const EmbeddedShader& Find(std::string_view name) {{
 }}  // namespace boxcar::{0}
 )";
 
+// Text in C++, whatever bytes it has.
+std::string Literal(std::string_view text) {
+    std::string literal = "\"";
+    for (const char c : text) {
+        const bool isPlain = c >= ' ' && c <= '~' && c != '"' && c != '\\' && c != '?';
+        literal += isPlain ? std::string(1, c) : fmt::format("\\{:03o}", static_cast<unsigned char>(c));
+    }
+    return literal + "\"";
+}
+
 std::string ReadFile(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     if (!file) throw Error("cannot read '{}': {}", path, std::strerror(errno));
@@ -73,16 +83,16 @@ void WriteEmbedded(const std::vector<ShaderJob>& jobs, const std::string& dir, c
     for (size_t i = 0; i < jobs.size(); ++i) {
         const OutputFiles files = FilesOf(jobs[i]);
         const std::string bytes = ReadFile(files.spirv);
-        words += fmt::format("// {}\nconst uint32_t kSpirv{}[] = {{", jobs[i].options.output, i);
+        words += fmt::format("// {}\nconst uint32_t kSpirv{}[] = {{", Literal(jobs[i].options.output), i);
         for (size_t at = 0; at + sizeof(uint32_t) <= bytes.size(); at += sizeof(uint32_t)) {
             uint32_t word;
             std::memcpy(&word, &bytes[at], sizeof word);
             words += fmt::format("{}{:#x},", at % 32 == 0 ? "\n" : "", word);
         }
         words += fmt::format("\n}};\nconst char kLayout{}[] = R\"json({})json\";\n\n", i, ReadFile(files.layout));
-        table += fmt::format("    {{\"{}\", kSpirv{}, kLayout{}}},\n", jobs[i].options.output, i, i);
+        table += fmt::format("    {{{}, kSpirv{}, kLayout{}}},\n", Literal(jobs[i].options.output), i, i);
     }
-    const std::string example = jobs.empty() ? "" : jobs[0].options.output;
+    const std::string example = Literal(jobs.empty() ? "" : jobs[0].options.output);
     WriteFileIfChanged(dir + "/" + name + ".h", fmt::format(kHeader, name, example));
     WriteFileIfChanged(dir + "/" + name + ".cpp", fmt::format(kSource, name, words, table));
 }

@@ -43,8 +43,8 @@ std::optional<SourcePlace> CutPlace(std::string_view& text) {
 // True if an attribute that means nothing to Vulkan stands in the text: it steers Direct3D or its optimizer.
 bool HasDirect3dAttribute(std::string_view text) {
     constexpr std::string_view kNames[] = {
-        "rootsignature", "shader",   "allow_uav_condition", "fastopt", "call", "forcecase", "isolate", "ifall",
-        "ifany",         "predicate"};
+        "rootsignature", "shader", "allow_uav_condition", "fastopt",      "call", "forcecase", "isolate",
+        "ifall",         "ifany",  "predicate",           "maxtessfactor"};
     std::string word;
     for (const char c : text) {
         if (IsWordChar(c)) {
@@ -62,10 +62,15 @@ bool HasDirect3dAttribute(std::string_view text) {
 //   '' : attribute does not apply to a loop
 bool IsIdle(std::string_view message, const SourcePlace& place, const Source& source) {
     if (message.ends_with(": unrecognized attribute")) return HasDirect3dAttribute(message);
-    if (!message.starts_with("'' : attribute does not apply to a ")) return false;
-    for (const int line : {place.line, place.line - 1})  // an attribute often has a line of its own
-        if (HasDirect3dAttribute(source.Line(place.file, line))) return true;
-    return false;
+    if (!message.starts_with("'' : attribute does not apply to ")) return false;
+    // An attribute often has a line of its own, and an entry point several.
+    const auto isAttribute = [&](int line) {
+        return line > 0 && WithoutSpaces(source.Line(place.file, line)).starts_with('[');
+    };
+    int line = place.line;
+    while (!HasDirect3dAttribute(source.Line(place.file, line)))
+        if (!isAttribute(--line)) return false;
+    return true;
 }
 
 // "'token' : message", as glslang words it -> what bxc says. The column is that of the token.
@@ -130,7 +135,8 @@ void AppendGlslangLog(const std::string& log, const std::string& mainFile, const
         Diagnostic diagnostic{{mainFile, 0, 0}, Severity::Error, ""};
         if (text.starts_with("WARNING: ")) diagnostic.severity = Severity::Warning;
         if (text.starts_with("WARNING: ") || text.starts_with("ERROR: ")) CutAt(text, ": ");
-        if (const auto place = CutPlace(text)) diagnostic.place = *place;
+        // The linker's are of line 0 of a file named 0.
+        if (const auto place = CutPlace(text); place && place->line > 0) diagnostic.place = *place;
         if (text.ends_with(" compilation errors.  No code generated.") && HasErrors(diagnostics)) continue;
         if (diagnostic.severity == Severity::Warning && IsIdle(text, diagnostic.place, source)) continue;
         ReadMessage(text, source, diagnostic);

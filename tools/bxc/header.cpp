@@ -4,6 +4,8 @@
 
 #include <cstddef>
 
+#include "tools/layout/printable.h"
+
 namespace boxcar {
 
 std::string CHeader(std::span<const uint32_t> spirv, const CompileOptions& options) {
@@ -15,7 +17,7 @@ std::string CHeader(std::span<const uint32_t> spirv, const CompileOptions& optio
         "_Alignas(4)\n"
         "#endif\n"
         "const unsigned char {}[] = {{",
-        options.file, options.entry, options.variable.empty() ? "g_" + options.entry : options.variable);
+        Printable(options.file), options.entry, options.variable.empty() ? "g_" + options.entry : options.variable);
     constexpr size_t kBytesOfALine = 20;
     size_t count = 0;
     for (const std::byte byte : std::as_bytes(spirv))

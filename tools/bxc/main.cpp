@@ -193,7 +193,7 @@ int main(int argc, char** argv) try {
     if (std::fflush(stdout) != 0) throw boxcar::Error("cannot write to stdout: {}", std::strerror(errno));
     return exitCode;
 } catch (const boxcar::UsageError& error) {
-    fmt::print(stderr, "bxc: {}\nTry bxc --help\n", error.what());
+    fmt::print(stderr, "bxc: {} (bxc --help)\n", error.what());
     return 2;
 } catch (const std::exception& error) {
     fmt::print(stderr, "bxc: {}\n", error.what());

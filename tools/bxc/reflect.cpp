@@ -6,6 +6,8 @@
 #include <spirv_cross.hpp>
 #include <tuple>
 
+#include "tools/layout/printable.h"
+
 namespace boxcar {
 namespace {
 
@@ -131,7 +133,7 @@ ShaderLayout MakeLayout(const std::vector<uint32_t>& spirv, ReflectScope scope, 
                                    : module.get_shader_resources(module.get_active_interface_variables());
 
     ShaderLayout layout;
-    layout.source = options.file;
+    layout.source = ValidUtf8(options.file);
     layout.entry = options.entry;
     layout.stage = options.stage;
 

@@ -8,6 +8,7 @@
 #include <spirv.hpp>
 #include <utility>
 
+#include "tools/bxc/repair_bools.h"
 #include "tools/bxc/spirv_module.h"
 
 namespace boxcar {
@@ -259,6 +260,7 @@ std::vector<uint32_t> Repair(const std::vector<uint32_t>& spirv, ShaderStage sta
     RepairPositions(module, stage);
     if (stage == ShaderStage::Vertex || stage == ShaderStage::Domain) UnwrapPositions(module);
     RepairPushConstants(module);
+    RepairBools(module);
     return module.Words();
 }
 

@@ -6,6 +6,7 @@
 //   Positions  SV_Position of an inout parameter, and SV_Position0 anywhere, is an ordinary variable. It becomes the
 //              position (in a pixel shader that reads it, the coordinate), and gives its location up. In an array of
 //              one, or a struct of such an array, it is taken out of the array.
+//   Bools      Between stages they are uint (repair_bools.h).
 //   Bindings   Push constants have none, though [[vk::push_constant]] ConstantBuffer<S> has a register.
 #pragma once
 

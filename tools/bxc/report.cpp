@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "tools/layout/printable.h"
+
 namespace boxcar {
 
 void Report::Add(const Diagnostics& diagnostics, const std::string& root) {
@@ -16,14 +18,14 @@ void Report::Add(const Diagnostics& diagnostics, const std::string& root) {
         if (diagnostic.severity != Severity::Note) told = !m_told.insert(text).second;
         if (told) continue;
         ClearProgress();
-        fmt::print(stderr, "{}\n", text);
+        fmt::print(stderr, "{}\n", Printable(text));
     }
 }
 
 void Report::Progress(size_t done, size_t total, const std::string& name) {
     if (!isatty(STDERR_FILENO)) return;
     ClearProgress();
-    fmt::print(stderr, "[{}/{}] {}", done, total, name);
+    fmt::print(stderr, "[{}/{}] {}", done, total, Printable(name));
     std::fflush(stderr);
     m_progressShown = true;
 }

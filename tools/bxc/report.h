@@ -13,7 +13,8 @@ class Report {
 public:
     ~Report() { ClearProgress(); }
 
-    // Prints those that have not been printed before, with their notes. Names in them are relative to `root`.
+    // Prints those that have not been printed before, with their notes, a line each. Names in them are
+    // relative to `root`.
     void Add(const Diagnostics& diagnostics, const std::string& root);
 
     // Shows how far a build is, on a terminal only.

@@ -39,6 +39,11 @@ bool ReadText(const fs::path& path, std::string& text, std::string& error) {
         error = fmt::format("it is longer than {} MiB", kMaxFileBytes >> 20);
     else if (const size_t zero = text.find('\0'); zero != std::string::npos)
         error = fmt::format("it is not text: byte {} is 0", zero);
+    else if (!text.empty() && std::iscntrl(static_cast<unsigned char>(text[0])) &&
+             !std::isspace(static_cast<unsigned char>(text[0])))
+        error = fmt::format("it is not text: byte 0 is {}", static_cast<int>(text[0]));
+    if (constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf"; text.starts_with(kByteOrderMark))
+        text.erase(0, kByteOrderMark.size());
     return error.empty();
 }
 

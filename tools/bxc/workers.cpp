@@ -72,6 +72,15 @@ bool WriteAll(int descriptor, std::string_view text) {
     return true;
 }
 
+// CBOR, since strings in JSON are UTF-8 and the name of a file is any bytes.
+std::string ToCbor(const nlohmann::json& json) {
+    std::string bytes;
+    nlohmann::json::to_cbor(json, bytes);
+    return bytes;
+}
+
+using AnswerSize = uint64_t;  // of the CBOR in bytes, which is sent before it
+
 // One process. It is killed with its object.
 class Worker {
 public:
@@ -101,11 +110,10 @@ public:
         waitpid(m_process, nullptr, 0);
     }
 
-    void Start(size_t job, const std::string& text) {
-        m_job = job;
+    void Start(size_t number, const ShaderJob& job) {
+        m_job = number;
         m_started = Clock::now();
-        WriteAll(m_input->Number(),
-                 text + "\n");  // if it cannot be written, the worker is dead, and Read() sees that
+        WriteAll(m_input->Number(), ToCbor(job));  // if it cannot be written, the worker is dead, and Read() sees it
     }
 
     std::optional<size_t> Job() const { return m_job; }
@@ -122,10 +130,14 @@ public:
     }
 
     // The answer to the job, once it is complete.
-    std::optional<std::string> TakeAnswer() {
-        if (!m_text.ends_with('\n')) return std::nullopt;
+    std::optional<CompileResult> TakeAnswer() {
+        if (m_text.size() < sizeof(AnswerSize)) return std::nullopt;
+        AnswerSize size;
+        std::memcpy(&size, m_text.data(), sizeof size);
+        if (m_text.size() - sizeof size < size) return std::nullopt;
         m_job.reset();
-        return std::exchange(m_text, {});
+        const std::string answer = std::exchange(m_text, {}).substr(sizeof size);
+        return nlohmann::json::from_cbor(answer).get<CompileResult>();
     }
 
     // The cause of the end of a worker that Read() found dead.
@@ -179,7 +191,7 @@ void CompileAll(const std::vector<ShaderJob>& jobs, const WorkerLimits& limits,
         for (std::unique_ptr<Worker>& worker : workers) {
             if (next == jobs.size() || (worker && worker->Job())) continue;
             if (!worker) worker = std::make_unique<Worker>();
-            worker->Start(next, nlohmann::json(jobs[next]).dump());
+            worker->Start(next, jobs[next]);
             ++next;
         }
 
@@ -195,8 +207,8 @@ void CompileAll(const std::vector<ShaderJob>& jobs, const WorkerLimits& limits,
             if (waits[i].revents != 0 && !workers[i]->Read()) {
                 results[job] = Failure(jobs[job], "the compiler crashed: " + workers[i]->CauseOfDeath());
                 workers[i].reset();
-            } else if (const auto answer = workers[i]->TakeAnswer()) {
-                results[job] = nlohmann::json::parse(*answer).get<CompileResult>();
+            } else if (auto answer = workers[i]->TakeAnswer()) {
+                results[job] = std::move(*answer);
             } else if (const std::string limit = workers[i]->BrokenLimit(limits); !limit.empty()) {
                 results[job] = Failure(jobs[job], "the compiler was ended: " + limit);
                 workers[i].reset();
@@ -216,11 +228,13 @@ void RunWorker(const std::function<CompileResult(const ShaderJob&)>& compile) {
     const int answers = dup(STDOUT_FILENO);
     dup2(STDERR_FILENO, STDOUT_FILENO);
 
-    for (std::string line; std::getline(std::cin, line);) {
-        const auto job = nlohmann::json::parse(line).get<ShaderJob>();
-        const nlohmann::json answer = compile(job);
-        constexpr auto kReplaceBytesThatAreNotUtf8 = nlohmann::json::error_handler_t::replace;
-        WriteAll(answers, answer.dump(-1, ' ', false, kReplaceBytesThatAreNotUtf8) + "\n");
+    constexpr bool kToTheEndOfTheStream = false;  // but to the end of one job
+    while (std::cin.peek() != std::istream::traits_type::eof()) {
+        const auto job = nlohmann::json::from_cbor(std::cin, kToTheEndOfTheStream).get<ShaderJob>();
+        const std::string answer = ToCbor(compile(job));
+        const AnswerSize size = answer.size();
+        WriteAll(answers, {reinterpret_cast<const char*>(&size), sizeof size});
+        WriteAll(answers, answer);
     }
 }
 

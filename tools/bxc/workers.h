@@ -32,8 +32,8 @@ struct WorkerLimits {
 void CompileAll(const std::vector<ShaderJob>& jobs, const WorkerLimits& limits,
                 const std::function<void(const ShaderJob&, CompileResult)>& done);
 
-// The other side: `bxc worker`, which CompileAll starts. Takes jobs from stdin and answers on stdout, a line of JSON
-// each, until stdin ends.
+// The other side: `bxc worker`, which CompileAll starts. Takes jobs from stdin and answers on stdout, until stdin
+// ends.
 void RunWorker(const std::function<CompileResult(const ShaderJob&)>& compile);
 
 }  // namespace boxcar
