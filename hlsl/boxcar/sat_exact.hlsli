@@ -240,9 +240,7 @@ SATCutBox SATCutBoxOf(SATFrame frame, int2 baseTexels, FloatPair edges)
         int4 inside = clamp(corner, 0, frame.extentTexels.xyxy);
         float4 isInside = float4(inside == corner) * float4(corner < frame.extentTexels.xyxy);
         after = FloatPairOf(isInside * after.high, isInside * after.low);
-        precise float4 outside = 1.0 - isInside;
-        precise float4 high = isInside * before.high + outside;  // one of the two is 0
-        before = FloatPairOf(high, isInside * before.low);
+        before = FloatPairOf(max(isInside * before.high, 1.0 - isInside), isInside * before.low);
         corner = inside;
     }
     SATCutBox cut;
