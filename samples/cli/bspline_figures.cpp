@@ -147,7 +147,7 @@ GallerySection Figures::Smaller() {
         "beyond the papers",
         "Rings that are finer the farther they are from the middle, a quarter as large. Beyond half of the way out "
         "the small picture cannot hold them. One texel of sixteen shows rings that are not there; under kernels as "
-        "wide as the small picture's texels they become grey, the sooner the more the kernel smooths.",
+        "wide as the small picture's texels they become gray, the sooner the more the kernel smooths.",
         {},
         {}};
     constexpr Extent2D kPlate{1200, 1200}, kSmall{300, 300};

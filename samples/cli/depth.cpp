@@ -93,8 +93,9 @@ double FocusOf(const DepthOptions& options, const std::vector<float>& depth, Ext
         return seen;
     }
     if (units.IsRelative() && *given > 1)
-        throw UsageError("--focus {}: expected 0 to 1, a grey of the depth; --depth-scale 1 counts in codes",
-                         options.focusText);
+        throw UsageError(
+            "--focus {}: expected 0 to 1, as white is 1 in this depth; --depth-scale 1 keeps the file's numbers",
+            options.focusText);
     if (IsDistance(options) && *given < units.Step())
         throw UsageError("--focus {}: nearer than {:g}, a single step of {}; expected a distance in its units",
                          options.focusText, units.Step(), options.path);

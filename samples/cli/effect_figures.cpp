@@ -202,7 +202,7 @@ const EffectFigure kFigures[] = {
      .settings = {{"filter", "trilinear"}, {"zoom", "5"}}},
     {.effect = "isosurface", .caption = "Tricubic, near.", .loads = "8 a step and 64", .settings = {{"zoom", "5"}}},
     {.effect = "isosurface",
-     .caption = "A colour for each pair of curvatures, of gradient and Hessian on the fly (Fig. 20-5).",
+     .caption = "A color for each pair of curvatures, of gradient and Hessian on the fly (Fig. 20-5).",
      .loads = "8 a step and 64",
      .settings = {{"shade", "curvature"}}},
     {.effect = "isosurface",

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <set>
 
@@ -19,13 +20,14 @@ namespace {
 
 constexpr double kLargestTime = 1e6;  // scenes move by floats
 
-Environment ReadEnvironment(const std::string& name, bool zeroesNotFinite) {
+Environment ReadEnvironment(const std::string& name, bool zeroesNotFinite, std::vector<std::string>& notes) {
     if (name == "city" || name == "studio" || name == "venice") return SampleEnvironment(name);
     Picture picture = ReadPicture(name);
-    ReportNotes(name, picture);
+    for (const std::string& note : picture.notes)
+        notes.push_back(fmt::format("{}: {}", InputName(name), note));
     if (!HasSrgbColors(picture.colorSpace))
-        PrintProblem(fmt::format("{}: its {} not used: its colors are taken for sRGB's", InputName(name),
-                                 picture.colorSpace.primaries ? "primaries are" : "ICC profile is"));
+        notes.push_back(fmt::format("{}: its {} not used: its colors are taken for sRGB's", InputName(name),
+                                    picture.colorSpace.primaries ? "primaries are" : "ICC profile is"));
     if (zeroesNotFinite) ZeroNotFinite(picture);
     return EnvironmentFrom(std::move(picture), name);
 }
@@ -41,7 +43,16 @@ Volume ReadScan(const std::string& name, const VolumeReading& reading) {
     return SampleVolume(name);
 }
 
-EffectInputs InputsOf(const EffectInfo& info, const EffectOptions& options) {
+uint64_t ParseFrame(const std::string& text) {
+    if (text.empty()) return 0;
+    uint64_t frame = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), frame);
+    if (error != std::errc() || end != text.data() + text.size())
+        throw UsageError("--frame {}: expected a whole number, 0 or more", text);
+    return frame;
+}
+
+EffectInputs InputsOf(const EffectInfo& info, const EffectOptions& options, std::vector<std::string>& notes) {
     EffectInputs inputs;
     if (!options.environment.empty() && !info.takesEnvironment)
         throw UsageError("--env {}: {} has no use for it", options.environment, info.name);
@@ -49,8 +60,8 @@ EffectInputs InputsOf(const EffectInfo& info, const EffectOptions& options) {
         throw UsageError("--mesh {}: {} has no use for it", options.mesh, info.name);
     if (!options.volume.empty() && !info.takesVolume)
         throw UsageError("--volume {}: {} has no use for it", options.volume, info.name);
-    if (options.volumeFrame && !info.takesVolume)
-        throw UsageError("--frame {}: {} has no use for it", *options.volumeFrame, info.name);
+    if (!options.volumeFrame.empty() && !info.takesVolume)
+        throw UsageError("--frame {}: {} has no use for it", options.volumeFrame, info.name);
     if (options.upWord != "y" && !info.takesMesh)
         throw UsageError("--up {}: {} has no use for it", options.upWord, info.name);
     const bool zeroesNotFinite = options.nanWord == "zero";
@@ -58,11 +69,11 @@ EffectInputs InputsOf(const EffectInfo& info, const EffectOptions& options) {
         throw UsageError("--nan zero: {} has no use for it", info.name);
     if (info.takesVolume) {
         const std::string name = options.volume.empty() ? "head" : options.volume;
-        inputs.volume = ReadScan(name, {options.volumeFrame.value_or(0), zeroesNotFinite});
+        inputs.volume = ReadScan(name, {ParseFrame(options.volumeFrame), zeroesNotFinite});
     }
     if (info.takesEnvironment)
         inputs.environment =
-            ReadEnvironment(options.environment.empty() ? "venice" : options.environment, zeroesNotFinite);
+            ReadEnvironment(options.environment.empty() ? "venice" : options.environment, zeroesNotFinite, notes);
     if (info.takesMesh) inputs.mesh = ReadObject(options.mesh.empty() ? "bunny" : options.mesh, options.upWord);
     return inputs;
 }
@@ -175,7 +186,7 @@ EffectRun::EffectRun(Device& device, const EffectOptions& options, const std::ve
       m_info(FindEffect(options.effect)),
       m_extent(ParseExtent(options.extent)),
       m_samples(options.samples),
-      m_inputs(InputsOf(m_info, options)),
+      m_inputs(InputsOf(m_info, options, m_notes)),
       m_values(ValuesOf(m_info, settings)) {
     if (!(std::abs(options.timeSeconds) <= kLargestTime))
         throw UsageError("--time {:g}: expected seconds, at most {:.0f}", options.timeSeconds, kLargestTime);
@@ -188,7 +199,7 @@ EffectRun::EffectRun(Device& device, const EffectOptions& options, const std::ve
         const std::string name = options.volume.empty() ? "head" : InputName(options.volume);
         RequireIsoWithin(volume, m_values["iso"]);
         m_volumeLine = fmt::format("{}: {}", name, volume.what);
-        if (volume.framesInFile > 1 && !options.volumeFrame)
+        if (volume.framesInFile > 1 && options.volumeFrame.empty())
             m_notes.push_back(
                 fmt::format("{}: {} volumes, of which the first is drawn; --frame 1 to {} draws another", name,
                             volume.framesInFile, volume.framesInFile - 1));

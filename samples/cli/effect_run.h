@@ -21,7 +21,7 @@ struct EffectOptions {
     std::string environment;        // a file, or one of ours
     std::string mesh;
     std::string volume;
-    std::optional<uint64_t> volumeFrame;
+    std::string volumeFrame;  // a number; empty: the first
     std::string upWord = "y";
     std::string nanWord = "refuse";
     uint32_t samples = 1;  // along each side of a pixel
@@ -63,7 +63,8 @@ public:
     // The file that the volume was read from, and what was read of it; empty where the effect takes none.
     const std::string& VolumeLine() const { return m_volumeLine; }
 
-    // To stderr, a line each: what of the volume's file is not drawn without having been asked about.
+    // To stderr, a line each: what of the environment's and the volume's file is not drawn without having been asked
+    // about.
     void PrintNotes() const;
 
 private:
@@ -71,9 +72,9 @@ private:
     const EffectInfo& m_info;
     Extent2D m_extent;
     uint32_t m_samples;
+    std::vector<std::string> m_notes;
     EffectInputs m_inputs;
     std::string m_volumeLine;
-    std::vector<std::string> m_notes;
     ParameterValues m_values;
     std::unique_ptr<Effect> m_effect;
 };

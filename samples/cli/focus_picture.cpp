@@ -54,7 +54,8 @@ std::vector<glm::vec4> FocusPictureByLayers(Device& device, const Picture& pictu
     for (size_t i = 0; i < texels.size(); i++) {
         const float most = std::max({texels[i].r, texels[i].g, texels[i].b});
         if (!(most <= kBrightestLensLight))
-            throw Error("{}: light of {:g}; --method layered takes it up to {:g}", name, most, kBrightestLensLight);
+            throw Error("{}: a sample of {:g}; --method layered takes at most {:g}, --method single takes any", name,
+                        most, kBrightestLensLight);
         texels[i].a = disparity[i].a;
         nearest = std::max(nearest, disparity[i].a);
     }

@@ -205,18 +205,18 @@ void Gallery::TableAsAPicture() {
              fmt::format("The table; white is {:.0f} for red, {:.0f} for green, {:.0f} for blue.", Largest(plain).r,
                          Largest(plain).g, Largest(plain).b)));
 
-    Texels centred = Run(m_fruits, [&](CommandList& commands, const Image& image) -> const Image& {
+    Texels centered = Run(m_fruits, [&](CommandList& commands, const Image& image) -> const Image& {
         return *table.Record(commands, image, &mean.Record(commands, image)).low;
     });
     float largest = 0;
-    for (const glm::vec4& texel : centred)
+    for (const glm::vec4& texel : centered)
         for (int c = 0; c < 3; c++)
             largest = std::max(largest, std::abs(texel[c]));
-    for (glm::vec4& texel : centred)
+    for (glm::vec4& texel : centered)
         texel = 0.5f + 0.5f / largest * texel;
     section.figures.push_back(Save(
-        "table_less_mean.png", centred, m_fruits,
-        fmt::format("The table of the picture less its mean; grey is 0, white {:.0f}.", largest), Transfer::Raw));
+        "table_less_mean.png", centered, m_fruits,
+        fmt::format("The table of the picture less its mean; gray is 0, white {:.0f}.", largest), Transfer::Raw));
     m_sections.push_back(std::move(section));
 }
 

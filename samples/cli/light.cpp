@@ -35,10 +35,10 @@ Picture FromLight(const std::vector<glm::vec4>& texels, const Picture& like, Tra
     if (transfer == Transfer::Srgb) picture.colorSpace.gamma = 0;
     picture.samples.reserve(texels.size() * like.channels);
     const int channels = static_cast<int>(picture.channels);
-    // Integer files mark what is not a number: magenta, or white where there is no colour; opaque.
-    const bool marksInColour = sampleType != SampleType::Float32;
+    // Integer files mark what is not a number: magenta, or white where there is no color; opaque.
+    const bool marksInColor = sampleType != SampleType::Float32;
     for (const glm::vec4& texel : texels) {
-        const bool isMarked = marksInColour && !IsFinite(texel);
+        const bool isMarked = marksInColor && !IsFinite(texel);
         for (int c = 0; c < channels; c++)
             picture.samples.push_back(isMarked ? (c == 1 && channels > 2 ? 0.0f : 1.0f) : texel[c]);
     }

@@ -9,13 +9,13 @@
 
 namespace boxcar {
 
-// RGBA texels of what is filtered, rows from the top. Under Srgb: linear light, colours times alpha. (Float files
+// RGBA texels of what is filtered, rows from the top. Under Srgb: linear light, colors times alpha. (Float files
 // hold that already, by the convention of EXR.) Channels that the picture does not have are 0.
 std::vector<glm::vec4> ToLight(const Picture& picture, Transfer transfer);
 
 // The picture that `texels` are to be in a file with samples of `sampleType`. Under Srgb, integers hold sRGB codes
-// and colours not multiplied by alpha; floats hold the texels as they are. In integers a texel that is not finite
-// becomes magenta, in grey pictures white. The color space is that of `like`, under Srgb without its gamma.
+// and colors not multiplied by alpha; floats hold the texels as they are. In integers a texel that is not finite
+// becomes magenta, in gray pictures white. The color space is that of `like`, under Srgb without its gamma.
 Picture FromLight(const std::vector<glm::vec4>& texels, const Picture& like, Transfer transfer,
                   SampleType sampleType);
 

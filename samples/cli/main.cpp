@@ -34,6 +34,16 @@ void OccupyStandardDescriptors() {
         if (::fcntl(fd, F_GETFD) < 0) ::open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
+void RequireCommand(const CLI::App& app, const std::string& word) {
+    if (word.starts_with('-')) return;
+    std::string commands;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        if (command->get_name() == word) return;
+        commands += (commands.empty() ? "" : ", ") + command->get_name();
+    }
+    throw boxcar::UsageError("no command '{}'; there is {}", word, commands);
+}
+
 // Does what the command line says; the help and the version are documents like others.
 void Run(CLI::App& app, int argc, char** argv) {
     try {
@@ -68,6 +78,7 @@ int main(int argc, char** argv) {
     boxcar::AddFitLobeCommand(app);
     boxcar::AddDevicesCommand(app);
     try {
+        if (argc > 1) RequireCommand(app, argv[1]);
         Run(app, argc, argv);
         return 0;
     } catch (const CLI::ParseError& error) {

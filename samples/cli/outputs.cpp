@@ -1,5 +1,6 @@
 #include "samples/cli/outputs.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 
@@ -28,6 +29,8 @@ std::vector<Job> PlanJobs(const OutputOptions& options) {
     std::optional<FileFormat> forced;
     if (!options.formatWord.empty()) forced = FormatFromWord(options.formatWord);
 
+    if (options.output.empty()) throw UsageError("-o: an empty name; a file, folder/ or - is expected");
+    if (std::ranges::count(options.inputs, "") > 0) throw UsageError("IN: an empty name; a file or - is expected");
     std::error_code error;
     const bool isFolder = options.output.ends_with('/') || fs::is_directory(options.output, error);
     if (!isFolder) {

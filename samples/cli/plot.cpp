@@ -9,7 +9,7 @@
 namespace boxcar {
 namespace {
 
-// Okabe and Ito's colours: blue, vermilion, bluish green, orange, black.
+// Okabe and Ito's colors: blue, vermilion, bluish green, orange, black.
 constexpr const char* kColors[] = {"#0072b2", "#d55e00", "#009e73", "#e69f00", "#000000"};
 
 constexpr double kWidth = 900, kHeight = 480;

@@ -1,4 +1,4 @@
-// Curves as one SVG file: axes, ticks, a legend to the right, colours that do not rest on telling red from green.
+// Curves as one SVG file: axes, ticks, a legend to the right, colors that do not rest on telling red from green.
 #pragma once
 
 #include <string>

@@ -129,7 +129,10 @@ void AddRenderCommand(CLI::App& app) {
     const auto options = std::make_shared<RenderOptions>();
     CLI::App& command = *app.add_subcommand("render", "Draw an effect of the papers to a picture");
     command.footer(
-        "Several frames go to OUT.0000.png, OUT.0001.png, .. at 30 a second. EXR holds linear light.\n\n"
+        "Several frames go to OUT.0000.png, OUT.0001.png, .. at 30 a second. EXR and PFM hold linear light; PNG and\n"
+        "JPEG hold sRGB codes, and of glossy-environment and phong-environment bend what is beyond 0.7 to stay "
+        "below\n"
+        "1.\n\n"
         "Examples:\n"
         "  boxcar render planar-reflection -o floor.png\n"
         "  boxcar render planar-reflection --set roughness=0.3 --mesh teapot --size 1280x720 -o floor.png\n"

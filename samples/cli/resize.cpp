@@ -78,8 +78,8 @@ struct DeriveOptions : BatchOptions {
 
 Stats Derive(Device& device, const Job& job, const DeriveOptions& options) {
     const Picture picture = ReadForDevice(job.input, device, options.read);
-    const uint32_t colours = picture.channels > 2 ? 3 : 1;
-    RequireWritable(job.output, job.format, colours);
+    const uint32_t colors = picture.channels > 2 ? 3 : 1;
+    RequireWritable(job.output, job.format, colors);
     const Transfer transfer = TransferOf(options.read);
     const Extent2D extent{picture.widthTexels, picture.heightTexels};
     const std::vector<glm::vec4> light = ToLight(picture, transfer);
@@ -97,7 +97,7 @@ Stats Derive(Device& device, const Job& job, const DeriveOptions& options) {
     if (sampleType != SampleType::Float32 && options.what != "gradient")
         for (glm::vec4& texel : texels)
             texel = 0.5f + 0.5f * texel;
-    const Picture like{picture.widthTexels, picture.heightTexels, colours, picture.stored, {}};
+    const Picture like{picture.widthTexels, picture.heightTexels, colors, picture.stored, {}};
     WritePicture(FromLight(texels, like, Transfer::Raw, sampleType), job.output, job.format, sampleType);
     return {.input = job.input,
             .output = job.output,
@@ -142,7 +142,7 @@ void AddDeriveCommand(CLI::App& app) {
     const auto options = std::make_shared<DeriveOptions>();
     CLI::App& command = *app.add_subcommand("derive", "Derivatives of a picture under the cubic B-spline");
     command.footer(
-        "Per texel, at texel centres, of each colour: first and second derivatives, the gradient's length, and the\n"
+        "Per texel, at texel centers, of each color: first and second derivatives, the gradient's length, and the\n"
         "curvature of the line of equal value through the texel, in 1 / texel, positive round what is brighter.\n"
         "EXR and PFM hold them as they are; in PNG and JPEG 0.5 + value / 2 stands for a value, and the gradient's\n"
         "length for itself.\n\n"

@@ -27,7 +27,7 @@ const char* WhatIsSummed(const Picture& picture, Transfer transfer, SATPrecision
     const bool isFloat = precision == SATPrecision::FP32;
     if (picture.stored == SampleType::Float32) return isFloat ? "the file's floats" : "the file's floats times 2^24";
     if (transfer == Transfer::Srgb)
-        return isFloat ? "linear light, colours times alpha" : "round(65535 linear light), colours times alpha";
+        return isFloat ? "linear light, colors times alpha" : "round(65535 linear light), colors times alpha";
     return isFloat ? "the file's codes over the largest" : "the file's codes";
 }
 
@@ -165,7 +165,7 @@ void AddSatCommand(CLI::App& app) {
         "Entry (x, y) is the sum of all texels between it and the origin, itself included; for a corner, of all "
         "left\n"
         "of and above it. Rows are in the picture's order for every origin. fp32 sums are what was summed less the\n"
-        "bias, as floats (.exr or .pfm); under srgb that is linear light, colours times alpha. u32 sums are of "
+        "bias, as floats (.exr or .pfm); under srgb that is linear light, colors times alpha. u32 sums are of "
         "whole\n"
         "codes modulo 2^32, as an EXR of UINT channels R G B A or Y A; u64 ones modulo 2^64, as channels R.lo R.hi "
         "..\n\n"

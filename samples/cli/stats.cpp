@@ -41,6 +41,7 @@ nlohmann::ordered_json ToJson(const Stats& stats) {
                                    {"table_bytes", stats.tableBytes},
                                    {"device_bytes", stats.deviceBytes},
                                    {"device_ms", TotalMilliseconds(stats)}};
+    if (stats.precision.empty()) json["precision"] = json["step"] = nullptr;
     json["passes"] = nlohmann::ordered_json::array();
     for (const PassTime& pass : stats.passes)
         json["passes"].push_back({{"name", pass.name}, {"ms", pass.milliseconds}});

@@ -25,7 +25,7 @@ struct Stats {
 };
 
 // {"input", "output", "width", "height", "precision", "step", "rounds", "table_bytes", "device_bytes", "device_ms",
-// "passes": [{"name", "ms"}]}
+// "passes": [{"name", "ms"}]}; precision and step are null where no table was needed.
 nlohmann::ordered_json ToJson(const Stats& stats);
 
 // Adds what passes of the same name took.

@@ -37,13 +37,12 @@ Swept ParseSwept(const std::string& text) {
     return swept;
 }
 
-// Pictures in rows, each with a line of text under it.
+// Pictures in rows, each with a line of text under it: black on white, which are 0 and 1 as codes and as light.
 class ContactSheet {
 public:
-    ContactSheet(Extent2D tile, uint32_t columns, uint32_t rows)
+    ContactSheet(Extent2D tile, uint32_t columns, uint32_t rows, SampleType sampleType)
         : m_tile(tile),
-          m_picture{
-              columns * tile.widthTexels, rows * (tile.heightTexels + kLabelTexels), 3, SampleType::Unorm8, {}} {
+          m_picture{columns * tile.widthTexels, rows * (tile.heightTexels + kLabelTexels), 3, sampleType, {}} {
         m_picture.samples.assign(size_t{3} * m_picture.widthTexels * m_picture.heightTexels, 1.0f);
     }
 
@@ -61,7 +60,7 @@ public:
 private:
     struct FontVertex {
         float x, y, z;
-        unsigned char colour[4];
+        unsigned char color[4];
     };
 
     float& At(uint32_t x, uint32_t y, uint32_t channel) {
@@ -124,6 +123,7 @@ void Sweep(const SweepOptions& options) {
 
     CheckedDevice device(options.device);
     std::unique_ptr<ContactSheet> sheet;
+    const SampleType sampleType = SampleTypeFor(job.format, SampleType::Unorm8);
     const bool terminal = isatty(STDERR_FILENO);
     for (uint32_t row = 0; row < rows; row++)
         for (uint32_t column = 0; column < columns; column++) {
@@ -142,12 +142,12 @@ void Sweep(const SweepOptions& options) {
                 if (uint64_t{width} * columns > 16384 || uint64_t{height + kLabelTexels} * rows > 16384)
                     throw UsageError("{} x {} pictures of {} x {} texels: a sheet has at most 16384 a side", columns,
                                      rows, width, height);
-                sheet = std::make_unique<ContactSheet>(run.Extent(), columns, rows);
+                sheet = std::make_unique<ContactSheet>(run.Extent(), columns, rows, sampleType);
             }
-            sheet->Add(run.Render(options.timeSeconds, SampleType::Unorm8), column, row, label);
+            sheet->Add(run.Render(options.timeSeconds, sampleType), column, row, label);
         }
     if (terminal) fmt::print(stderr, "\r\033[K");
-    WritePicture(sheet->Finished(), job.output, job.format, SampleTypeFor(job.format, SampleType::Unorm8));
+    WritePicture(sheet->Finished(), job.output, job.format, sampleType);
     device.RequireClean();
 }
 
@@ -157,7 +157,7 @@ void AddSweepCommand(CLI::App& app) {
     const auto options = std::make_shared<SweepOptions>();
     CLI::App& command = *app.add_subcommand("sweep", "An effect at several values of a parameter, side by side");
     command.footer(
-        "A list in --set makes a row of pictures; two lists make columns and rows.\n\n"
+        "A list in --set makes a row of pictures; two lists make columns and rows. Each is as render makes it.\n\n"
         "Example:\n  boxcar sweep planar-reflection --set roughness=0.02,0.1,0.4 --size 320x200 -o contact.png");
     AddEffectOptions(command, *options);
     AddSamplesOption(command, *options);

@@ -157,16 +157,16 @@ private:
     }
 
     std::vector<SceneObject> MovingObjects(float time) const {
-        constexpr glm::vec3 kColours[] = {
+        constexpr glm::vec3 kColors[] = {
             {0.9f, 0.15f, 0.1f}, {0.15f, 0.6f, 0.2f}, {0.1f, 0.25f, 0.9f}, {0.9f, 0.6f, 0.1f}};
         std::vector<SceneObject> objects;
-        for (const glm::vec3 colour : kColours) {
+        for (const glm::vec3 color : kColors) {
             const float angle = 0.8f * time + 1.5708f * static_cast<float>(objects.size());
             objects.push_back(
                 {.mesh = &m_sphere,
                  .offsetWorld = {1.3f * std::sin(angle), 0.35f * std::sin(2 * angle), 1.3f * std::cos(angle)},
                  .scale = 0.25f,
-                 .albedo = colour});
+                 .albedo = color});
         }
         return objects;
     }

@@ -1,7 +1,7 @@
 // The surface of one value of a volume, by rays through a 3D texture: trilinear, or under the cubic B-spline.
 //
 //   volume  ->  largest voxel of each block, once
-//   rays through blocks that reach the value  ->  points  ->  derivatives and colour, once a pixel
+//   rays through blocks that reach the value  ->  points  ->  derivatives and color, once a pixel
 //
 // Lengths are millimetres; the world's x axis goes to the body's right, y to its front, z up. The volume's own axes
 // may be turned against them: all that is drawn with is then along the volume's.
@@ -198,13 +198,13 @@ EffectInfo IsosurfaceInfo() {
                             .initial = 1,
                             .choices = {"trilinear", "tricubic"}},
                            {.name = "shade",
-                            .what = "Light alone, a colour for each pair of curvatures, ridges and valleys, normals, "
+                            .what = "Light alone, a color for each pair of curvatures, ridges and valleys, normals, "
                                     "or the larger curvature",
                             .unit = "",
                             .choices = {"phong", "curvature", "ridges", "normal", "maximum"}},
                            {"iso", "The surface's value, in the volume's units", "", -1e6f, 1e6f, 92},
                            {"step", "Along a ray, from look to look", "voxels", 0.1f, 2, 0.5f},
-                           {"radius", "Of a curvature that has its full colour", "mm", 0.1f, 1000, 3},
+                           {"radius", "Of a curvature that has its full color", "mm", 0.1f, 1000, 3},
                            {"turn",
                             "Of the eye round the z axis; at 0 it looks at the front (+y), at 90 at the right (+x)",
                             "degrees", -180, 180, -125},

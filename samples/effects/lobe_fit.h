@@ -31,7 +31,7 @@ struct BoxStackFit {
     double relativeError = 0;        // L2 distance of lobe and stack over the disc, over the lobe's L2 norm
 };
 
-// The best stack of `boxes` (1 to 6) nested centred squares whose weights add up to 1. Deterministic. Throws Error:
+// The best stack of `boxes` (1 to 6) nested centered squares whose weights add up to 1. Deterministic. Throws Error:
 // the lobe is 0 everywhere or not finite.
 //
 // Cost: some milliseconds.

@@ -87,7 +87,7 @@ EffectInfo ParaboloidDirectInfo() {
         .name = "paraboloid-direct",
         .what = "A scene drawn straight on a paraboloid (left), and by way of a cube map (right)",
         .paper = "Scheuermann 2005; Hensley 2005, sect. 5.1.1",
-        .lookFor = "straight rasterisation bends the walls of large triangles and tears them; small ones come right",
+        .lookFor = "straight rasterization bends the walls of large triangles and tears them; small ones come right",
         .parameters =
             {{"subdivisions", "How often each triangle of the walls is cut in four", "", 0, 6, 1, {}, true, true},
              {"show", "Which face", "", 0, 0, 0, {"front", "back"}},

@@ -1,6 +1,6 @@
 // Glossy planar reflection: sharp where objects touch the floor, blurred the more the farther from it.
 //
-//   mirrored scene  ->  colour, height  ->  table of the colour  ->  floor: a box as wide as the ray's cone
+//   mirrored scene  ->  color, height  ->  table of the color  ->  floor: a box as wide as the ray's cone
 //
 // Hensley 2005, sect. 5.2 (Fig. 1)
 #include <cmath>

@@ -1,4 +1,4 @@
-// An image at another size. The centre of texel x of the result lies (x + 0.5) steps behind the source's edge.
+// An image at another size. The center of texel x of the result lies (x + 0.5) steps behind the source's edge.
 //
 //   source  ->  [prefilter]  ->  resize.ps  ->  [prefilter]  ->  along x, and then the same along y
 //

@@ -1,7 +1,7 @@
 // Shadows of a lamp that has a size: sharp where they begin, the softer the farther from what casts them.
 //
 //   lamp's view  ->  depth  ->  codes and their squares  ->  table
-//   camera's view  ->  positions, normals, colours  ->  mean depth in the way  ->  penumbra's width  ->  share of
+//   camera's view  ->  positions, normals, colors  ->  mean depth in the way  ->  penumbra's width  ->  share of
 //   light
 //
 // Green 2003 (blur by the distance from the occluder); beyond the papers: variance shadow maps on tables
@@ -58,7 +58,7 @@ public:
           m_high(device, {MapExtent(values), Format::RGBA32UI, "moments, upper words"}),
           m_position(device, {inputs.extent, Format::RGBA32F, "positions"}),
           m_normal(device, {inputs.extent, Format::RGBA32F, "normals"}),
-          m_albedo(device, {inputs.extent, Format::RGBA32F, "colours"}),
+          m_albedo(device, {inputs.extent, Format::RGBA32F, "colors"}),
           m_depth(device, {inputs.extent, Format::Depth32F, "depth"}),
           m_picture(device, {inputs.extent, Format::RGBA32F, "picture"}),
           m_table(device, {.extent = MapExtent(values), .precision = SATPrecision::U64}) {}

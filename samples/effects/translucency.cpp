@@ -85,14 +85,14 @@ private:
 
     std::vector<SceneObject> OpaqueObjects() const {
         std::vector<SceneObject> objects = {{.mesh = &m_ground, .albedo = {0.8f, 0.78f, 0.72f}, .checkWorld = 0.4f}};
-        constexpr glm::vec3 kColours[] = {
+        constexpr glm::vec3 kColors[] = {
             {0.85f, 0.2f, 0.15f}, {0.9f, 0.6f, 0.1f}, {0.2f, 0.6f, 0.25f}, {0.15f, 0.3f, 0.8f}};
         for (int i = 0; i < 7; i++)
             objects.push_back({.mesh = &m_sphere,
                                .offsetWorld = {-2.4f + 0.8f * static_cast<float>(i),
                                                0.3f + 0.35f * static_cast<float>(i % 3), -1.6f},
                                .scale = 0.3f,
-                               .albedo = kColours[i % 4]});
+                               .albedo = kColors[i % 4]});
         return objects;
     }
 

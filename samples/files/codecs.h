@@ -47,6 +47,10 @@ Picture MakePicture(uint64_t widthTexels, uint64_t heightTexels, uint32_t channe
 void SetPrimaries(Picture& picture, const Primaries& primaries);
 void SetIccProfile(Picture& picture, ByteView profile);
 
+// Makes the note of a profile that is for pictures of another `space`, as profiles name it; damaged where that is
+// empty.
+void LeaveOutProfile(Picture& picture, std::string_view space);
+
 // The samples as integers: clamped to [0,1], times the largest Code, rounded to nearest; NaN becomes 0.
 template <typename Code>
 std::vector<Code> ToCodes(const std::vector<float>& samples) {

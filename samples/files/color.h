@@ -17,12 +17,12 @@ double LinearToSrgb(double linear);
 // The linear light of a code in [0,1]: by the gamma of `space`, or the sRGB curve where it has none.
 double ToLinear(const ColorSpace& space, double encoded);
 
-// ToLinear and the sRGB curve over every colour sample: in double, rounded once to float.
+// ToLinear and the sRGB curve over every color sample: in double, rounded once to float.
 void DecodeSrgb(Picture& picture);
 void EncodeSrgb(Picture& picture);
 
-// Colours times alpha, and back; without alpha nothing is done. Where alpha is 0 or less, Unpremultiply makes the
-// colours 0.
+// Colors times alpha, and back; without alpha nothing is done. Where alpha is 0 or less, Unpremultiply makes the
+// colors 0.
 void Premultiply(Picture& picture);
 void Unpremultiply(Picture& picture);
 

@@ -38,27 +38,27 @@ void SetPrimaries(Picture& picture, const Primaries& primaries) {
         picture.colorSpace.primaries = primaries;
 }
 
+void LeaveOutProfile(Picture& picture, std::string_view space) {
+    space = space.substr(0, space.find_last_not_of(' ') + 1);
+    picture.notes.push_back(space.empty()
+                                ? "its ICC profile is damaged and left out"
+                                : fmt::format("its ICC profile is for {} and is left out; the picture is {} here",
+                                              space, picture.channels > 2 ? "RGB" : "gray"));
+}
+
 // ICC.1:2010, sect. 7.2: size (bytes 0 to 3), color space (16 to 19), "acsp" (36 to 39)
 void SetIccProfile(Picture& picture, ByteView profile) {
     constexpr size_t kHeaderBytes = 128;
     const std::string_view text(reinterpret_cast<const char*>(profile.data()), profile.size());
-    if (text.size() < kHeaderBytes || text.substr(36, 4) != "acsp") {
-        picture.notes.push_back("its ICC profile is damaged and left out");
-        return;
-    }
+    if (text.size() < kHeaderBytes || text.substr(36, 4) != "acsp") return LeaveOutProfile(picture, "");
     const std::string_view space = text.substr(16, 4);
-    if (space != (picture.channels > 2 ? "RGB " : "GRAY")) {
-        picture.notes.push_back(fmt::format("its ICC profile is for {} and is left out; the picture is {} here",
-                                            space.substr(0, space.find_last_not_of(' ') + 1),
-                                            picture.channels > 2 ? "RGB" : "gray"));
-        return;
-    }
+    if (space != (picture.channels > 2 ? "RGB " : "GRAY")) return LeaveOutProfile(picture, space);
     picture.colorSpace.iccProfile.assign(profile.begin(), profile.end());
     const std::optional<double> half = LightOfHalf(profile);
     if (half && !IsLightOfSrgbHalf(*half))
-        picture.notes.push_back(fmt::format(
-            "its ICC profile is kept, but not its curve used: 0.5 is light of {:.2f} by it and of {:.2f} by sRGB's",
-            *half, SrgbToLinear(0.5)));
+        picture.notes.push_back(
+            fmt::format("its ICC profile's curve is not used: 0.5 is light of {:.2f} by it and of {:.2f} by sRGB's",
+                        *half, SrgbToLinear(0.5)));
 }
 
 bool HasSrgbColors(const ColorSpace& space) {

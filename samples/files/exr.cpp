@@ -14,12 +14,15 @@
 #include <algorithm>
 #include <cstring>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "samples/files/codecs.h"
 
 namespace boxcar {
 namespace {
+
+constexpr const char* kEndOfFile = "unexpected end of file";
 
 class MemoryReader : public Imf::IStream {
 public:
@@ -28,7 +31,7 @@ public:
     bool read(char* data, int bytes) override {
         // The library's own kind of exception: it goes on after this one where it can.
         if (bytes < 0 || m_at > m_file.size() || static_cast<uint64_t>(bytes) > m_file.size() - m_at)
-            throw Iex::InputExc("unexpected end of file");
+            throw Iex::InputExc(kEndOfFile);
         std::memcpy(data, m_file.data() + m_at, static_cast<size_t>(bytes));
         m_at += static_cast<uint64_t>(bytes);
         return m_at < m_file.size();
@@ -257,7 +260,6 @@ Picture ThroughDisplayWindow(Picture picture, const Imath::Box2i& data, const Im
     const Extent extent = ExtentOf(display);
     Picture seen = MakePicture(extent.widthTexels, extent.heightTexels, picture.channels, SampleType::Float32);
     const int64_t left = std::max(data.min.x, display.min.x), right = std::min(data.max.x, display.max.x);
-    if (left > right) return seen;
     for (int64_t y = data.min.y; y <= data.max.y; ++y) {
         const int64_t from = (y - data.min.y) * picture.widthTexels + left - data.min.x;
         const int64_t to = (y - display.min.y) * seen.widthTexels + left - display.min.x;
@@ -284,6 +286,12 @@ Picture Decode(ByteView file, const PictureLimits& limits) {
         }
 
     const Imath::Box2i window = header.dataWindow(), display = header.displayWindow();
+    if (!window.intersects(display))
+        throw Error(
+            "its texels, ({}, {}) to ({}, {}), are all outside its display window, ({}, {}) to ({}, {}); some "
+            "are expected within",
+            window.min.x, window.min.y, window.max.x, window.max.y, display.min.x, display.min.y, display.max.x,
+            display.max.y);
     Imath::Box2i rows = window;
     rows.min.y = std::max(rows.min.y, display.min.y);
     rows.max.y = std::min(rows.max.y, display.max.y);
@@ -291,12 +299,10 @@ Picture Decode(ByteView file, const PictureLimits& limits) {
     Picture picture =
         MakePicture(width, height, static_cast<uint32_t>(selection.channels.size()), SampleType::Float32);
     MemoryReader reader(file);
-    if (height > 0) {
-        if (selection.isLuminanceChroma)
-            ReadLuminanceChroma(reader, HasAlpha(picture), rows, picture.samples.data());
-        else
-            ReadChannels(reader, static_cast<int>(part), selection, rows, picture.samples.data());
-    }
+    if (selection.isLuminanceChroma)
+        ReadLuminanceChroma(reader, HasAlpha(picture), rows, picture.samples.data());
+    else
+        ReadChannels(reader, static_cast<int>(part), selection, rows, picture.samples.data());
     picture = ThroughDisplayWindow(std::move(picture), rows, display);
 
     picture.notes = std::move(notes);
@@ -320,6 +326,7 @@ Picture DecodeExr(ByteView file, const PictureLimits& limits) {
     try {
         return Decode(file, limits);
     } catch (const Iex::BaseExc& error) {
+        if (std::string_view(error.what()).find(kEndOfFile) != std::string_view::npos) throw CutOff(FileFormat::Exr);
         throw Error("damaged or cut off EXR ({})", error.what());
     }
 }

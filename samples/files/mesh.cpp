@@ -42,6 +42,7 @@ struct Known {
     const char* several;
     uint32_t count = 0;
     uint64_t missedInLine = 0;  // the first line that had an index where there was none yet
+    int64_t missedIndex = 0;
 };
 
 // Looks through the text before tinyobjloader does, which takes what is no number for 0, only warns of indices out of
@@ -120,8 +121,8 @@ private:
                 Fail("is {} without {} finite numbers", known.one, needed == most ? "3" : "1 or 2");
         }
         if (known.missedInLine > 0) {
-            m_line = known.missedInLine;
-            Fail("has an index out of range: there are 0 {} so far", known.several);
+            throw Error("line {}: index {}; there are 0 {} so far", known.missedInLine, known.missedIndex,
+                        known.several);
         }
         if (++known.count > m_limits.maxVertices)
             Fail("is {} more than the {} that are read", known.one, m_limits.maxVertices);
@@ -158,9 +159,11 @@ private:
     }
 
     void CheckIndex(std::string_view word, const Known& known) const {
+        constexpr size_t kMostShown = 40;
         const int64_t index = IndexOf(word);
         if (index == 0 || std::abs(index) > known.count)
-            Fail("has an index out of range: there are {} {} so far", known.count, known.several);
+            throw Error("line {}: index {}; there are {} {} so far", m_line, word.substr(0, kMostShown), known.count,
+                        known.several);
     }
 
     // Some programs write indices of what they have not written: where a file has none at all they mean nothing.
@@ -168,8 +171,10 @@ private:
         if (word.empty()) return false;
         if (known.count > 0 || IndexOf(word) == 0)
             CheckIndex(word, known);
-        else if (known.missedInLine == 0)
+        else if (known.missedInLine == 0) {
             known.missedInLine = m_line;
+            known.missedIndex = IndexOf(word);
+        }
         return known.count > 0;
     }
 

@@ -1,6 +1,6 @@
 // Meshes in from files.
 //
-// Non-goals: writing; materials, groups, smoothing groups, colours, lines, curves and surfaces, which are passed
+// Non-goals: writing; materials, groups, smoothing groups, colors, lines, curves and surfaces, which are passed
 // over.
 #pragma once
 

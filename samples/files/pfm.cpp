@@ -1,4 +1,4 @@
-// Debevec's portable float map: "PF" (colour) or "Pf" (grey), width, height, a scale whose sign is the byte order;
+// Debevec's portable float map: "PF" (color) or "Pf" (gray), width, height, a scale whose sign is the byte order;
 // then rows of float32, bottom row first.
 #include <algorithm>
 #include <bit>
@@ -24,13 +24,17 @@ std::string_view NextWord(std::string_view& text) {
     return {begin, end};
 }
 
+// Takes a number off `text`; `name` and `expected` are for messages.
 template <typename Number>
-Number ToNumber(std::string_view word) {
-    if (word.starts_with('+')) word.remove_prefix(1);
+Number NextNumber(std::string_view& text, std::string_view name, std::string_view expected) {
+    constexpr size_t kMostChars = 40;
+    const std::string_view word = NextWord(text);
+    if (word.empty()) throw CutOff(FileFormat::Pfm);
+    const std::string_view digits = word.substr(word.starts_with('+') ? 1 : 0);
     Number number = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-    if (end != word.data() + word.size() || word.empty() || error == std::errc::invalid_argument)
-        throw Error("damaged PFM: its header needs a width, a height and a scale, all of them numbers");
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    if (end != digits.data() + digits.size() || error == std::errc::invalid_argument)
+        throw Error("damaged PFM: {} {}; {} is expected", name, word.substr(0, kMostChars), expected);
     return error == std::errc() ? number : std::numeric_limits<Number>::max();
 }
 
@@ -58,11 +62,12 @@ uint32_t LoadWord(const uint8_t* bytes, bool littleEndian) {
 Picture DecodePfm(ByteView file, const PictureLimits& limits) {
     std::string_view text(reinterpret_cast<const char*>(file.data()), file.size());
     const uint32_t channels = NextWord(text) == "PF" ? 3 : 1;
-    const auto width = ToNumber<uint64_t>(NextWord(text));
-    const auto height = ToNumber<uint64_t>(NextWord(text));
-    const auto scale = ToNumber<double>(NextWord(text));
+    constexpr std::string_view kSide = "a whole number above 0";
+    const auto width = NextNumber<uint64_t>(text, "width", kSide);
+    const auto height = NextNumber<uint64_t>(text, "height", kSide);
+    const auto scale = NextNumber<double>(text, "scale", "a number not 0");
     if (scale == 0.0 || !std::isfinite(scale))
-        throw Error("damaged PFM: its scale is {}; a number not 0 is expected", scale);
+        throw Error("damaged PFM: scale {}; a number not 0 is expected", scale);
     RequireWithin(width, height, limits);
 
     const size_t rowSamples = width * channels;

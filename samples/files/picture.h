@@ -29,12 +29,12 @@ struct ColorSpace {
     std::vector<uint8_t> iccProfile = {};     // of PNG and JPEG, for RGB or gray as the picture is
 };
 
-// A picture in memory. Values are the file's, as they stand: v / 255, v / 65535 or the float; not linearised, colours
+// A picture in memory. Values are the file's, as they stand: v / 255, v / 65535 or the float; not linearized, colors
 // not multiplied by alpha.
 struct Picture {
     uint32_t widthTexels = 0;
     uint32_t heightTexels = 0;
-    uint32_t channels = 0;                    // 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA
+    uint32_t channels = 0;                    // 1 gray, 2 gray and alpha, 3 RGB, 4 RGBA
     SampleType stored = SampleType::Float32;  // how the file holds a sample; EXR and HDR count as Float32
     std::vector<float> samples;               // rows top to bottom, channels interleaved
     ColorSpace colorSpace = {};
@@ -75,7 +75,7 @@ FileFormat FormatFromWord(const std::string& word);
 //
 // EXR: flat, scan lines or tiles (the finest level), every compression; channels R G B [A], Y [A], Y RY BY [A] or a
 // single one of any name, others are left out; of several parts the first that has them, with a note. The picture is
-// the display window: 0 where the file has no data; data outside it are left out, with a note.
+// the display window: 0 where the file has no data; data outside it are left out, with a note, but not all of them.
 //
 // PFM: 1 or 3 channels, both byte orders, the scale's size unused. Its header ends with one space character, or with
 // spaces up to a line end (CR LF too): where that leaves a doubt, the file's length decides.
@@ -105,7 +105,7 @@ bool HasSrgbColors(const ColorSpace& space);
 // all.
 std::string LostColorSpace(const ColorSpace& space, FileFormat format);
 
-// Writes a picture: PNG of 8 or 16 bits, JPEG (quality 95, colour not subsampled), EXR (32-bit float, ZIP, R G B [A]
+// Writes a picture: PNG of 8 or 16 bits, JPEG (quality 95, color not subsampled), EXR (32-bit float, ZIP, R G B [A]
 // or Y [A]), PFM (little-endian, bottom row first, 1 or 3 channels). Its color space goes along as far as the format
 // holds it: PNG iCCP, gAMA and cHRM, JPEG the ICC profile, EXR the chromaticities.
 //

@@ -64,7 +64,7 @@ struct PngReader {
 
     static void Warn(png_structp png, png_const_charp text) {
         if (std::strstr(text, "Too much image data") != nullptr) Fail(png, text);
-        if (std::strncmp(text, "iCCP: ", 6) == 0) Of(png).hasBadProfile = true;
+        if (std::strncmp(text, "iCCP: ", 6) == 0) Of(png).ReadWarning(text);
     }
 
     static void Take(png_structp png, png_bytep to, size_t bytes) {
@@ -73,6 +73,16 @@ struct PngReader {
         if (reader.isCutOff) Fail(png, "");
         std::memcpy(to, reader.rest.data(), bytes);
         reader.rest = reader.rest.subspan(bytes);
+    }
+
+    // "iCCP: profile 'NAME': 'RGB ': RGB color space not permitted on grayscale PNG", or ".. 'Lab ': invalid ICC
+    // profile color space"
+    void ReadWarning(std::string_view text) {
+        hasBadProfile = true;
+        const size_t reason = text.rfind("': ");
+        if (reason >= 5 && reason != text.npos && text[reason - 5] == '\'' &&
+            text.substr(reason).find("color space") != text.npos)
+            text.copy(profileSpace, 4, reason - 4);
     }
 
     // Up to the texels, which are to be 8 or 16 bits of gray or color, with alpha or without.
@@ -130,6 +140,7 @@ struct PngReader {
     int passes = 1;
     bool isCutOff = false;
     bool hasBadProfile = false;
+    char profileSpace[5] = {};  // of a profile that is for other pictures
     char failure[128] = {};
 };
 
@@ -148,7 +159,7 @@ void ReadColorSpace(const PngReader& reader, Picture& picture) {
     png_uint_32 profileBytes = 0;
     if (png_get_iCCP(reader.png, reader.info, &name, &compression, &profile, &profileBytes) != 0)
         return SetIccProfile(picture, ByteView(profile, profileBytes));
-    if (reader.hasBadProfile) picture.notes.push_back("its ICC profile is damaged and left out");
+    if (reader.hasBadProfile) LeaveOutProfile(picture, reader.profileSpace);
     if (png_get_valid(reader.png, reader.info, PNG_INFO_sRGB) != 0) return;
     double gamma = 0;
     if (png_get_gAMA(reader.png, reader.info, &gamma) != 0 && std::abs(gamma - kSrgbGamma) > kSameGamma)

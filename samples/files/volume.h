@@ -1,6 +1,6 @@
 // Volumes in from files.
 //
-// Non-goals: writing; colours, complex numbers, several numbers at a voxel; where the body lies beyond how it is
+// Non-goals: writing; colors, complex numbers, several numbers at a voxel; where the body lies beyond how it is
 // turned (a shear, the place of its origin).
 #pragma once
 
@@ -50,7 +50,7 @@ struct VolumeLimits {
 //   path  a file, or "-" for standard input; of a pair either file, whose names differ in the ending only
 //
 // Throws Error, one line that begins with the path: it cannot be read, is no such file, is one of a pair without the
-// other, is cut off or damaged, holds colours or complex numbers, a voxel is not finite, or it is over a limit.
+// other, is cut off or damaged, holds colors or complex numbers, a voxel is not finite, or it is over a limit.
 // Throws UsageError: it has no such frame. Memory: twice its voxels where they are moved.
 Volume ReadVolume(const std::string& path, const VolumeReading& reading = {}, const VolumeLimits& limits = {});
 

@@ -18,13 +18,16 @@ Environment EnvironmentFrom(Picture picture, const std::string& name) {
     const uint32_t width = picture.widthTexels, height = picture.heightTexels;
     if (width != 2 * height)
         throw Error("{}: {} x {} texels; an environment is twice as wide as high", name, width, height);
-    if (picture.stored != SampleType::Float32) DecodeSrgb(picture);
+    if (picture.stored != SampleType::Float32) {
+        DecodeSrgb(picture);
+        Premultiply(picture);
+    }
     Environment environment{{width, height}, {}};
-    const uint32_t colours = picture.channels >= 3 ? 3 : 1;
+    const uint32_t colors = picture.channels >= 3 ? 3 : 1;
     for (size_t i = 0; i < picture.samples.size(); i += picture.channels) {
         glm::vec4 texel(1);
         for (uint32_t c = 0; c < 3; c++) {
-            const float value = picture.samples[i + std::min(c, colours - 1)];
+            const float value = picture.samples[i + std::min(c, colors - 1)];
             if (!std::isfinite(value))
                 throw Error("{}: {} in it; light is finite (--nan zero replaces it)", name, value);
             texel[static_cast<int>(c)] = std::max(value, 0.0f);

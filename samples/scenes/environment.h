@@ -17,8 +17,9 @@ struct Environment {
     std::vector<glm::vec4> texels;  // linear light, rows from the top; alpha 1
 };
 
-// Integer pictures are taken as sRGB. Negative light, as lossy compression leaves it, becomes 0. Throws Error, which
-// begins with `name`: it is not twice as wide as high; a sample is not finite.
+// Integer pictures are taken as sRGB and straight alpha; light is colors times alpha. Negative light, as lossy
+// compression leaves it, becomes 0. Throws Error, which begins with `name`: it is not twice as wide as high; a sample
+// is not finite.
 Environment EnvironmentFrom(Picture picture, const std::string& name);
 
 // "city", "studio" or "venice".

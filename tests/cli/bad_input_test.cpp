@@ -41,7 +41,13 @@ TEST_F(BadInput, WidthsThatAreNone) {
 
 TEST_F(BadInput, UnknownWordsAndFlags) {
     EXPECT_EQ(m_folder.Run("").exitCode, 2);
-    EXPECT_EQ(m_folder.Run("frobnicate").exitCode, 2);
+    Refused(
+        "foo", 2,
+        "no command 'foo'; there is filter, dof, sat, resize, derive, precision, gallery, render, sweep, inspect, "
+        "list, fit-lobe, devices");
+    Refused("filter ok.png -o '' --width 3", 2, "-o: an empty name; a file, folder/ or - is expected");
+    Refused("filter '' -o out.png --width 3", 2, "IN: an empty name; a file or - is expected");
+    Refused("render soft-shadow -o ''", 2, "-o: an empty name; a file, folder/ or - is expected");
     Refused("filter ok.png -o out.png --width 3 --sharpen", 2, "The following argument was not expected: --sharpen");
     Refused("filter ok.png -o out.png", 2, "--width is missing: W or WxH in texels, or a --width-map");
     Refused("filter ok.png --width 3", 2, "--output is required");

@@ -139,6 +139,9 @@ TEST(ColorSpaceOfFiles, NotesAreALineEach) {
     outcome = folder.Run("render glossy-environment --env env.exr --size 16x16 -o out.png");
     EXPECT_EQ(outcome.exitCode, 0);
     EXPECT_EQ(outcome.err, "boxcar: env.exr: its primaries are not used: its colors are taken for sRGB's\n");
+    outcome = folder.Run("sweep glossy-environment --env env.exr --size 16x16 --set face=32,64,128 -o out.png");
+    EXPECT_EQ(outcome.exitCode, 0);
+    EXPECT_EQ(outcome.err, "boxcar: env.exr: its primaries are not used: its colors are taken for sRGB's\n");
 }
 
 }  // namespace

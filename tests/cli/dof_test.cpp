@@ -162,7 +162,7 @@ TEST(Dof, RefusesWhatItCannotDoInOneLine) {
         EXPECT_EQ(outcome.err, "boxcar: " + line + "\n");
     };
     expect("--depth in.png --focus 2 --aperture 9", 2,
-           "--focus 2: expected 0 to 1, a grey of the depth; --depth-scale 1 counts in codes");
+           "--focus 2: expected 0 to 1, as white is 1 in this depth; --depth-scale 1 keeps the file's numbers");
     expect("--depth in.png --focus 0.5 --aperture -1", 2, "--aperture -1: expected texels, 0 to 32768");
     expect("--depth none.png --focus 0.5 --aperture 9", 1, "none.png: cannot be read: No such file or directory");
     expect("--depth small.png --focus 0.5 --aperture 9", 1,
@@ -171,6 +171,14 @@ TEST(Dof, RefusesWhatItCannotDoInOneLine) {
                  SampleType::Unorm8);
     expect("--depth in.png --focus 0.5 --aperture 9 --method layered", 1,
            "in.png: 4 channels; --method layered takes pictures without alpha");
+    Picture lamp{8, 8, 3, SampleType::Float32, std::vector<float>(8 * 8 * 3, 0.5f)};
+    lamp.samples[30] = 1e6f;
+    WritePicture(lamp, folder.Path("lamp.exr"), FileFormat::Exr, SampleType::Float32);
+    const Outcome outcome =
+        folder.Run("dof lamp.exr --depth in.png --focus 0.5 --aperture 9 --method layered -o out.exr");
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_EQ(outcome.err,
+              "boxcar: lamp.exr: a sample of 1e+06; --method layered takes at most 16, --method single takes any\n");
 }
 
 // Bands cover every row once, and each reads as far as a kernel reaches.

@@ -173,6 +173,19 @@ TEST(Filter, JsonIsOneDocumentAndNothingElse) {
     EXPECT_FALSE(document.at("device").get<std::string>().empty());
 }
 
+TEST(Filter, JsonOfACopyNamesNoTable) {
+    const Folder folder;
+    WritePicture(RandomPicture(4, 4, 3, SampleType::Unorm8), folder.Path("a.png"), FileFormat::Png,
+                 SampleType::Unorm8);
+    const Outcome outcome = folder.Run("filter a.png -o b.png --width 1 --json");
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const auto document = nlohmann::json::parse(outcome.out);
+    const auto& result = document.at("results").at(0);
+    EXPECT_TRUE(result.at("precision").is_null());
+    EXPECT_TRUE(result.at("step").is_null());
+    EXPECT_EQ(result.at("table_bytes"), 0);
+}
+
 TEST(Filter, StatsNameDevicePassesTimesAndMemory) {
     const Folder folder;
     WritePicture(RandomPicture(100, 50, 3, SampleType::Unorm8), folder.Path("a.png"), FileFormat::Png,

@@ -61,6 +61,8 @@ TEST(Render, DrawsTheSurfaceOfAVolumeWithParametersAsFlags) {
     expect("planar-reflection --frame 0", 2, "--frame 0: planar-reflection has no use for it");
     expect("planar-reflection --nan zero", 2, "--nan zero: planar-reflection has no use for it");
     expect("isosurface --up z", 2, "--up z: isosurface has no use for it");
+    for (const std::string frame : {"-1", "x", "1.5", "18446744073709551616"})
+        expect("isosurface --frame " + frame, 2, "--frame " + frame + ": expected a whole number, 0 or more");
     expect("isosurface --frame 1", 2, "--frame 1: head holds 1 volume, which is number 0");
     expect("isosurface --volume scan.nii --frame 1", 2,
            "scan.nii: it holds 1 volume; there is no volume 1, the first being 0");

@@ -169,6 +169,44 @@ TEST(Sweep, PutsThePicturesOfEachValueSideBySide) {
         "boxcar: 0 lists in --set: sweep takes one (a row) or two (columns and rows), as in --set width=1,9,33\n");
 }
 
+// As EXR the sheet holds light, with the same letters on it: as codes it is the PNG.
+TEST(Sweep, AnExrHoldsLinearLight) {
+    const Folder folder;
+    const std::string sweep = "sweep planar-reflection --set roughness=0,0.5 --size 60x40 -o ";
+    for (const char* out : {"sheet.png", "sheet.exr", "sheet.pfm"}) {
+        const Outcome outcome = folder.Run(sweep + out);
+        ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    }
+    const Picture png = ReadPicture(folder.Path("sheet.png"));
+    for (const char* in : {"sheet.exr", "sheet.pfm"}) {
+        ASSERT_EQ(folder.Run(std::string("filter --width 1 -o codes.png ") + in).exitCode, 0);
+        const Picture codes = ReadPicture(folder.Path("codes.png"));
+        ASSERT_EQ(codes.samples.size(), png.samples.size());
+        for (size_t i = 0; i < png.samples.size(); i++)
+            ASSERT_NEAR(codes.samples[i], png.samples[i], 1.01 / 255) << in << ", sample " << i;
+    }
+}
+
+// A PNG holds codes and straight alpha, an EXR light times alpha.
+TEST(Render, AlphaOfAnEnvironmentCountsTheSameInEveryFormat) {
+    const Folder folder;
+    Picture png = RandomPicture(8, 4, 4, SampleType::Unorm8);
+    Picture exr{8, 4, 4, SampleType::Float32, png.samples};
+    for (size_t i = 0; i < exr.samples.size(); i++)
+        if (i % 4 != 3)
+            exr.samples[i] = static_cast<float>(ReferenceDecode(png.samples[i]) * png.samples[i / 4 * 4 + 3]);
+    WritePicture(png, folder.Path("env.png"), FileFormat::Png, SampleType::Unorm8);
+    WritePicture(exr, folder.Path("env.exr"), FileFormat::Exr, SampleType::Float32);
+    for (const std::string in : {"png", "exr"})
+        ASSERT_EQ(
+            folder.Run("render glossy-environment --set face=32 --size 40x30 --env env." + in + " -o " + in + ".exr")
+                .exitCode,
+            0);
+    const Picture fromPng = ReadPicture(folder.Path("png.exr")), fromExr = ReadPicture(folder.Path("exr.exr"));
+    for (size_t i = 0; i < fromExr.samples.size(); i++)
+        ASSERT_NEAR(fromPng.samples[i], fromExr.samples[i], 1e-5) << i;
+}
+
 TEST(FitLobe, PrintsAStackWhoseWeightsAddUpToOne) {
     const Folder folder;
     const Outcome outcome = folder.Run("fit-lobe --phong 100 --boxes 4 --json");

@@ -169,8 +169,8 @@ TEST(ExrTest, ThePictureIsTheDisplayWindow) {
     const std::vector<float> r = Ramp(1), g = Ramp(2), b = Ramp(3), a = Ramp(4);
     const int f = Imf::FLOAT;
     constexpr int kMinX = 5, kMinY = -3;
-    const std::array<int, 4> displays[] = {{0, -9, 30, 30},  {5, -3, 16, 15}, {7, 0, 9, 9},     {0, 0, 9, 40},
-                                           {10, -9, 40, -1}, {5, -20, 16, 0}, {40, 40, 45, 41}, {0, 0, 3, 60}};
+    const std::array<int, 4> displays[] = {{0, -9, 30, 30},  {5, -3, 16, 15}, {7, 0, 9, 9},    {0, 0, 9, 40},
+                                           {10, -9, 40, -1}, {5, -20, 16, 0}, {16, 15, 45, 41}};
     for (const auto& display : displays) {
         for (const bool tiled : {false, true}) {
             SCOPED_TRACE(fmt::format("({}, {}) to ({}, {})", display[0], display[1], display[2], display[3]));
@@ -200,6 +200,29 @@ TEST(ExrTest, ThePictureIsTheDisplayWindow) {
         Read(MakeExr({kSize, {{"Y", f, r}}, Imf::ZIP_COMPRESSION, kMinX, kMinY, false, {0, 0, 9, 40}})).notes,
         std::vector<std::string>{"its texels outside the display window are left out: data (5, -3) to (16, 15), "
                                  "display (0, 0) to (9, 40)"});
+}
+
+// Without the name of the file.
+std::string FaultOf(const Bytes& bytes) {
+    const std::string line = ErrorOf([&] { Read(bytes); });
+    return line.substr(line.find(": ") + 2);
+}
+
+TEST(ExrTest, TexelsAllOutsideTheDisplayWindowAreRefused) {
+    const std::array<int, 4> displays[] = {{40, 40, 45, 41}, {0, 0, 4, 60}, {17, 0, 20, 3}, {5, 16, 9, 20}};
+    for (const auto& d : displays)
+        EXPECT_EQ(
+            FaultOf(MakeExr({kSize, {{"Y", Imf::FLOAT, Ramp(1)}}, Imf::ZIP_COMPRESSION, 5, -3, false, d})),
+            fmt::format("its texels, (5, -3) to (16, 15), are all outside its display window, ({}, {}) to ({}, {}); "
+                        "some are expected within",
+                        d[0], d[1], d[2], d[3]));
+}
+
+TEST(ExrTest, AFileThatEndsInItsTexelsIsCutOff) {
+    const Bytes whole = MakeExr({kSize, {{"Y", Imf::FLOAT, Ramp(1)}}, Imf::NO_COMPRESSION});
+    for (const size_t missing : {size_t{1}, size_t{100}, whole.size() / 2})
+        EXPECT_EQ(FaultOf(Bytes(whole.begin(), whole.end() - static_cast<ptrdiff_t>(missing))),
+                  "cut off: the EXR ends before its picture does");
 }
 
 TEST(ExrTest, ChromaticitiesAreReadAndWritten) {

@@ -122,7 +122,7 @@ TEST(IccProfileTest, ACurveUnlikeSrgbsIsANote) {
     EXPECT_TRUE(notesOf(SrgbProfile()).empty());
     EXPECT_TRUE(notesOf(WithTags("RGB ", {{"rTRC", Formula(0, {563 / 256.0})}})).empty());  // Adobe RGB (1998)
     EXPECT_EQ(notesOf(WithTags("RGB ", {{"rTRC", Formula(0, {1})}})),
-              std::vector<std::string>{"its ICC profile is kept, but not its curve used: 0.5 is light of 0.50 by it "
+              std::vector<std::string>{"its ICC profile's curve is not used: 0.5 is light of 0.50 by it "
                                        "and of 0.21 by sRGB's"});
 }
 

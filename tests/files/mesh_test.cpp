@@ -152,15 +152,14 @@ TEST(MeshFile, FacesThatAreNoneAreRefused) {
                         .ends_with("has a corner that is none of v, v/vt, v//vn, v/vt/vn"))
             << corner;
     for (const std::string index : {"0", "5", "-5", "2147483648", "4294967297", "99999999999999999999"})
-        EXPECT_EQ(errorOf("f 1 2 " + index), "line 5 has an index out of range: there are 4 positions so far");
+        EXPECT_EQ(errorOf("f 1 2 " + index), "line 5: index " + index + "; there are 4 positions so far");
     EXPECT_EQ(errorOf("f 1 2 # 3"), "line 5 is a face of 2 corners; 3 to 255 are expected");
     EXPECT_EQ(errorOf("f 1 2 \\\nv 1 2 3"), "line 5 has a corner that is none of v, v/vt, v//vn, v/vt/vn");
-    EXPECT_EQ(errorOf("f 1/0 2/1 3/1"), "line 5 has an index out of range: there are 0 uv so far");
+    EXPECT_EQ(errorOf("f 1/0 2/1 3/1"), "line 5: index 0; there are 0 uv so far");
     // Where some come behind the face the file is not one that has none.
-    EXPECT_EQ(errorOf("f 1/1 2/1 3/1\nf 1 2 3\nvt 0 0"), "line 5 has an index out of range: there are 0 uv so far");
-    EXPECT_EQ(errorOf("f 1//-1 2 3\nf 1 2 3\nvn 0 0 1"),
-              "line 5 has an index out of range: there are 0 normals so far");
-    EXPECT_EQ(errorOf("vn 0 0 1\nf 1//1 2//2 3//1"), "line 6 has an index out of range: there are 1 normals so far");
+    EXPECT_EQ(errorOf("f 1/1 2/1 3/1\nf 1 2 3\nvt 0 0"), "line 5: index 1; there are 0 uv so far");
+    EXPECT_EQ(errorOf("f 1//-1 2 3\nf 1 2 3\nvn 0 0 1"), "line 5: index -1; there are 0 normals so far");
+    EXPECT_EQ(errorOf("vn 0 0 1\nf 1//1 2//2 3//1"), "line 6: index 2; there are 1 normals so far");
 }
 
 TEST(MeshFile, HugeFacesAreRefusedAndLargeOnesRead) {

@@ -62,12 +62,17 @@ TEST(PfmTest, HeadersThatSayNothingAreRefused) {
     const auto errorOf = [&](const std::string& header) {
         return ErrorOf([&] { ReadPicture(folder.Put("p", ToBytes(header + kBigEndianSamples))); });
     };
-    for (const std::string header :
-         {"Pf\n-2 3\n1\n", "Pf\n2.5 3\n1\n", "Pf\nx 3\n1\n", "Pf\n2 3\none\n", "Pf\n2 3\n1,0\n"})
-        EXPECT_EQ(errorOf(header),
-                  path + ": damaged PFM: its header needs a width, a height and a scale, all of them numbers");
-    EXPECT_EQ(errorOf("Pf\n2 3\n0.0\n"), path + ": damaged PFM: its scale is 0; a number not 0 is expected");
-    EXPECT_EQ(errorOf("Pf\n2 3\nnan\n"), path + ": damaged PFM: its scale is nan; a number not 0 is expected");
+    for (const std::string side : {"-7", "2.5", "x"}) {
+        EXPECT_EQ(errorOf("Pf\n" + side + " 3\n1\n"),
+                  path + ": damaged PFM: width " + side + "; a whole number above 0 is expected");
+        EXPECT_EQ(errorOf("Pf\n3 " + side + "\n1\n"),
+                  path + ": damaged PFM: height " + side + "; a whole number above 0 is expected");
+    }
+    for (const std::string scale : {"one", "1,0"})
+        EXPECT_EQ(errorOf("Pf\n2 3\n" + scale + "\n"),
+                  path + ": damaged PFM: scale " + scale + "; a number not 0 is expected");
+    EXPECT_EQ(errorOf("Pf\n2 3\n0.0\n"), path + ": damaged PFM: scale 0; a number not 0 is expected");
+    EXPECT_EQ(errorOf("Pf\n2 3\nnan\n"), path + ": damaged PFM: scale nan; a number not 0 is expected");
 }
 
 }  // namespace

@@ -184,5 +184,19 @@ TEST(PngTest, WhatIsNotUsedIsANote) {
               std::vector<std::string>{"its ICC profile is damaged and left out"});
 }
 
+TEST(PngTest, AProfileForOtherPicturesSaysSo) {
+    const auto notesOf = [](int colorType, const char* space) {
+        return Read(WithChunk(Plain(colorType), ProfileChunk(MakeProfile(space)))).notes;
+    };
+    using Notes = std::vector<std::string>;
+    EXPECT_EQ(notesOf(PNG_COLOR_TYPE_GRAY, "RGB "),
+              Notes{"its ICC profile is for RGB and is left out; the picture is gray here"});
+    EXPECT_EQ(notesOf(PNG_COLOR_TYPE_RGB, "GRAY"),
+              Notes{"its ICC profile is for GRAY and is left out; the picture is RGB here"});
+    for (const std::string space : {"Lab", "CMYK"})
+        EXPECT_EQ(notesOf(PNG_COLOR_TYPE_RGB, (space + " ").substr(0, 4).c_str()),
+                  Notes{"its ICC profile is for " + space + " and is left out; the picture is RGB here"});
+}
+
 }  // namespace
 }  // namespace boxcar::test
