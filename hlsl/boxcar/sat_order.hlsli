@@ -180,6 +180,15 @@ struct SATKnot
     FloatPair weight;  // of each, one a lane
 };
 
+// SATWholeKnotOf: the same of a whole kernel about the texel `baseTexels`, which reads one entry at each knot (SATSumWhole).
+SATKnot SATWholeKnotOf(int order, int index, int baseTexels, int widthTexels)
+{
+    SATKnot knot;
+    knot.entry = baseTexels + order * (widthTexels - 1) / 2 - index * widthTexels;
+    knot.weight = FloatPairOf(float4(SATBinomial(order, index), 0.0, 0.0, 0.0), (float4)0);
+    return knot;
+}
+
 // SATKnotOf: knot number `index`, from the right.
 //
 //   centreTexels  of the kernel, from `baseTexels`
@@ -231,6 +240,8 @@ int SATMiddleEntry(int order, int baseTexels, float centreTexels, float widthTex
 //   baseTexels    where the centre is counted from: a texel near it, so that it keeps its digits
 //   centreTexels  in edge coordinates from there
 //   sizeTexels    of the boxes that the kernel is made of; 1 at least
+//   isWholeX, isWholeY  whether the kernel is whole on that axis: the box of so many texels taken n times over texels,
+//                 about the texel `baseTexels`; its width as for SATSumWhole. Else it is continuous
 //   returns       the integral of the image times the kernel times (w h)^n; the image is 0 outside
 //
 // A wrapped entry cannot be weighted. So the table is first made to start at the kernel's middle: what the entries there
@@ -242,7 +253,7 @@ int SATMiddleEntry(int order, int baseTexels, float centreTexels, float widthTex
 //         (ExactFilter.MeansAreRightToTheLastBit).
 // Cost:   121 loads a word (order 2), 361 (order 3); more at the right and bottom rim (SATLoadOrder).
 FloatPair SATSumOrder(SATExactTable table, int2 extentTexels, int order, int2 baseTexels, float2 centreTexels,
-                      float2 sizeTexels)
+                      float2 sizeTexels, bool isWholeX, bool isWholeY)
 {
     SATKnot columns[4], rows[4];
     [loop]
@@ -250,6 +261,10 @@ FloatPair SATSumOrder(SATExactTable table, int2 extentTexels, int order, int2 ba
     {
         columns[k] = SATKnotOf(order, k, baseTexels.x, centreTexels.x, sizeTexels.x);
         rows[k] = SATKnotOf(order, k, baseTexels.y, centreTexels.y, sizeTexels.y);
+        if (isWholeX)
+            columns[k] = SATWholeKnotOf(order, k, baseTexels.x, int(sizeTexels.x));
+        if (isWholeY)
+            rows[k] = SATWholeKnotOf(order, k, baseTexels.y, int(sizeTexels.y));
     }
     int2 middle = int2(SATMiddleEntry(order, baseTexels.x, centreTexels.x, sizeTexels.x),
                        SATMiddleEntry(order, baseTexels.y, centreTexels.y, sizeTexels.y));

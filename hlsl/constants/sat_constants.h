@@ -52,6 +52,8 @@ struct SATFilterConstants
     int isSigned;         // 1: codes may be negative
     float codeScale;      // what 1 is in codes: 255, 65535, 2^24
     float largestMass;    // of SATBoxIsExact
+    int isWholeX;         // 1: orders 2 and 3 are whole on x, or on y (SATSumOrder)
+    int isWholeY;
 };
 
 #ifdef __cplusplus

@@ -41,11 +41,16 @@ float4 main(QuadVertex i) : SV_Target0
         massY = SATMassWhole(ORDER, texel.y, whole.y, g.extentTexels.y);
     }
 #else
-    sum = SATSumOrder(words, g.extentTexels, ORDER, texel, float2(0.5, 0.5), sizeTexels);
+    sum = SATSumOrder(words, g.extentTexels, ORDER, texel, float2(0.5, 0.5), sizeTexels, g.isWholeX != 0,
+                      g.isWholeY != 0);
     if (EDGE == SAT_EDGE_CLIP)
     {
         massX = SATMassOrder(ORDER, sizeTexels.x, texel.x + 0.5, after.x + 0.5);
         massY = SATMassOrder(ORDER, sizeTexels.y, texel.y + 0.5, after.y + 0.5);
+        if (g.isWholeX != 0)
+            massX = SATMassWhole(ORDER, texel.x, int(sizeTexels.x), g.extentTexels.x);
+        if (g.isWholeY != 0)
+            massY = SATMassWhole(ORDER, texel.y, int(sizeTexels.y), g.extentTexels.y);
     }
 #endif
     mass = FloatPairMul(massX, massY);

@@ -131,6 +131,7 @@ const Image& SATFilter::Record(CommandList& commands, TexelWords table, const SA
                     SATPrecisionName(m_desc.precision), side, side);
     }
 
+    const auto isWhole = [&](float width) { return !widths.map && SATIsWhole(glm::vec2(width), m_desc.order); };
     const Image& map = widths.map ? *widths.map : m_zero;
     const SATFilterConstants constants{int2(tableExtent.widthTexels, tableExtent.heightTexels),
                                        OriginTexels(m_desc.origin, tableExtent),
@@ -142,7 +143,9 @@ const Image& SATFilter::Record(CommandList& commands, TexelWords table, const SA
                                        static_cast<int>(m_desc.sides),
                                        m_desc.codes.isSigned,
                                        m_desc.codes.scale,
-                                       largestMass};
+                                       largestMass,
+                                       isWhole(size.x),
+                                       isWhole(size.y)};
     Pass pass{.name = "filter",
               .pipeline = PipelineFor(whole),
               .reads = TableReads(table, {{"widthMap", &map}}),

@@ -71,8 +71,9 @@ struct SATFilterDesc {
     SATCodes codes = {};                   // for integers
 };
 
-// The width and height of the boxes at each texel: any real; below 1 acts as 1. With a map, orders 2 and 3 are the
-// continuous kernels at whole widths too, so that nothing jumps: width 1 spreads a texel a little (docs/adr/0004).
+// The width and height of the boxes at each texel: any real; below 1 acts as 1. Without a map, orders 2 and 3 are the
+// box over texels repeated on an axis where their width is whole (SATIsWhole), else the continuous kernel. With a map
+// they are continuous at whole widths too, so that nothing jumps: width 1 spreads a texel a little (docs/adr/0004).
 struct SATWidths {
     SATWidths(glm::vec2 sizeTexels) : minTexels(sizeTexels), maxTexels(sizeTexels) {}
     SATWidths(const Image& widthMap, glm::vec2 from, glm::vec2 to) : minTexels(from), maxTexels(to), map(&widthMap) {}

@@ -140,8 +140,8 @@ void AddFilterCommand(CLI::App& app) {
 parabolic, three (3 W wide); gauss, of standard deviation W, as the box, tent or parabolic kernel that is
 within --gauss-error of it; disc, of diameter W. Boxes are [c - W/2, c + W/2) about each texel's center;
 edges may cut texels. Tents of whole W, and parabolic kernels of odd W, are the box of W texels taken two
-and three times, exactly; others, and all of a map, are the continuous kernel over the picture, which at
-width 1 still spreads a texel a little.
+and three times, exactly, on each axis by itself; others, and all of a map, are the continuous kernel over
+the picture, which at width 1 still spreads a texel a little.
 
 Without --precision the result is right: sums are of whole numbers, as fine as it takes. 8 and 16-bit files
 are within 0.51 of a code of the true mean, float files within 1e-5 of what lies under the kernel. --stats

@@ -19,7 +19,8 @@ TEST(PassesConstants, OffsetsInCppEqualThoseInTheShaders) {
                             OFFSET(SATFilterConstants, minTexels),     OFFSET(SATFilterConstants, maxTexels),
                             OFFSET(SATFilterConstants, boxes),         OFFSET(SATFilterConstants, sides),
                             OFFSET(SATFilterConstants, codeScale),     OFFSET(SATFilterConstants, largestMass),
-                            OFFSET(SATFilterConstants, isSigned)};
+                            OFFSET(SATFilterConstants, isSigned),      OFFSET(SATFilterConstants, isWholeX),
+                            OFFSET(SATFilterConstants, isWholeY)};
     const Offsets lens = {OFFSET(LensConstants, focusDisparity), OFFSET(LensConstants, apertureTexels),
                           OFFSET(LensConstants, largestTexels)};
     const Offsets lensLayer = {

@@ -377,7 +377,7 @@ TEST(ExactFilter, MeansAreRightToTheLastBit) {
     std::mt19937 random(57);
     for (int i = 0; i < 300; i++)
         places.emplace_back(i % 3 == 0 ? 8990 + random() % 11 : random() % 9001, random() % 7);
-    for (const glm::vec2 size : {glm::vec2(2.3f), glm::vec2(7.77f, 4), glm::vec2(31.4f)}) {
+    for (const glm::vec2 size : {glm::vec2(2.3f), glm::vec2(7.77f, 3.25f), glm::vec2(31.4f)}) {
         for (uint32_t order = 1; order <= 3; order++) {
             for (const EdgePair edge : kEdges) {
                 const Texels blurred = BlurCodes(

@@ -15,6 +15,6 @@ float4 main(QuadVertex i) : SV_Target0
     float2 after = float2(g.extentTexels) - centre;
     FloatPair mass = FloatPairMul(SATMassOrder(ORDER, g.sizeTexels.x, centre.x, after.x),
                                   SATMassOrder(ORDER, g.sizeTexels.y, centre.y, after.y));
-    FloatPair sum = SATSumOrder(words, g.extentTexels, ORDER, int2(0, 0), centre, g.sizeTexels);
+    FloatPair sum = SATSumOrder(words, g.extentTexels, ORDER, int2(0, 0), centre, g.sizeTexels, false, false);
     return FloatPairToFloat(FloatPairDiv(sum, mass));
 }
