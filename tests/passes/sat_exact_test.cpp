@@ -10,7 +10,7 @@
 #include "samples/effects/blur.h"
 #include "test_support_shaders.h"
 #include "tests/hlsl/test_constants.h"
-#include "tests/reference/order.h"
+#include "tests/reference/separable.h"
 #include "tests/support/device_codes.h"
 #include "tests/support/expect_error.h"
 
@@ -306,9 +306,8 @@ TEST(SATOrder, TentAndParabolicAreTheAnalyticFilter) {
                             .precision = precision, .order = order, .edge = edge.ours, .codes = {255, 255, false}};
                         const Texels blurred = BlurCodes(image, desc, SATWidths(size));
                         for (const glm::ivec2 at : PlacesIn(image)) {
-                            const glm::dvec4 expected =
-                                reference::FilterMean(reference, static_cast<int>(order), at.x + 0.5, at.y + 0.5,
-                                                      size.x, size.y, edge.theirs);
+                            const glm::dvec4 expected = reference::MeanAt(reference, static_cast<int>(order), at.x,
+                                                                          at.y, size.x, size.y, edge.theirs);
                             for (int c = 0; c < 4; c++)
                                 ASSERT_NEAR(blurred[at.y * extent.widthTexels + at.x][c], expected[c] / 255, 1e-5)
                                     << extent.widthTexels << " x " << extent.heightTexels << ", order " << order

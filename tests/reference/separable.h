@@ -19,6 +19,16 @@ inline AxisWeights WeightsOf(int order, double widthTexels) {
     return axis;
 }
 
+// The mean that one texel gets, on each axis from WeightsOf.
+inline glm::dvec4 MeanAt(const DoubleImage& image, int order, int x, int y, double widthTexels, double heightTexels,
+                         Border border) {
+    AxisWeights columns = WeightsOf(order, widthTexels), rows = WeightsOf(order, heightTexels);
+    columns.first += x;
+    rows.first += y;
+    const WeightedSum all = SumOverPlane(image, columns, rows, border);
+    return border == Border::Clip ? all.sum / all.inside : all.sum;
+}
+
 // The weighted sums along one axis; with Clip divided by the weights inside.
 inline DoubleImage AlongAxis(const DoubleImage& image, const AxisWeights& axis, bool alongX, Border border) {
     DoubleImage result{image.width, image.height, {}};
