@@ -45,7 +45,9 @@ TEST(ColorSpaceOfFiles, GammaOfAPngIsTakenOffBeforeTheFilter) {
                 const Outcome outcome =
                     folder.Run(fmt::format("filter in.png -o out.png --width 3x1 --edge mirror{}", precision));
                 ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
-                EXPECT_EQ(outcome.err, "");
+                if (precision[0] == '\0') {
+                    EXPECT_EQ(outcome.err, "");
+                }
                 const Picture out = ReadPicture(folder.Path("out.png"));
                 EXPECT_EQ(out.colorSpace.gamma, 0);
                 const auto lightAt = [&](int x, int y, int c) {
