@@ -374,7 +374,7 @@ TEST(ExactFilter, MeansAreRightToTheLastBit) {
     const SATCodes codes{65535, 65535, false};
     std::vector<glm::ivec2> places;
     std::mt19937 random(57);
-    for (int i = 0; i < 300; i++)
+    for (int i = 0; i < 120; i++)
         places.emplace_back(i % 3 == 0 ? 8990 + random() % 11 : random() % 9001, random() % 7);
     for (const glm::vec2 size : {glm::vec2(2.3f), glm::vec2(7.77f, 3.25f), glm::vec2(31.4f)}) {
         for (uint32_t order = 1; order <= 3; order++) {
