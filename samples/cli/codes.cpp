@@ -32,7 +32,7 @@ std::vector<double> LightOfCodes(const Picture& picture) {
     return light;
 }
 
-// The code of a value in its round, and what the first `rounds` rounds leave over of one.
+// The code of a value in a round; then what rounds, one after the other, leave over of a value.
 double CodeOf(double value, const CodeRound& round) {
     return std::round(value * round.codes.scale / round.unit);
 }
