@@ -113,14 +113,27 @@ const Image& FindRead(const Pass& pass, const Binding& binding, const Pipeline::
     return *read->image;
 }
 
+// Command buffers are kept and recorded anew: freed ones are a race in the validation layer (1.3.239), whose own thread
+// forgets the labels of the old buffer while the next one, often of the same address, is being labeled.
+vk::raii::CommandBuffer TakeCommands(Device::Impl& device) {
+    if (device.idleCommands.empty()) {
+        auto commands = std::move(
+            device.device.allocateCommandBuffers({**device.commandPool, vk::CommandBufferLevel::ePrimary, 1})[0]);
+        device.Name(commands, "boxcar commands");
+        return commands;
+    }
+    auto commands = std::move(device.idleCommands.back());
+    device.idleCommands.pop_back();
+    commands.reset();
+    return commands;
+}
+
 }  // namespace
 
 CommandList::CommandList(Device& device, Timing timing) : m_impl(new Impl) {
     Impl& c = *m_impl;
     c.device = &device.impl();
-    c.own = std::move(
-        c.device->device.allocateCommandBuffers({**c.device->commandPool, vk::CommandBufferLevel::ePrimary, 1})[0]);
-    c.device->Name(c.own, "boxcar commands");
+    c.own = TakeCommands(*c.device);
     c.commands = *c.own;
     c.own.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
     if (timing == Timing::On && c.device->nanosecondsPerTick > 0) {
@@ -133,6 +146,10 @@ CommandList::CommandList(Device& device, Timing timing) : m_impl(new Impl) {
 CommandList::CommandList(Device& device, VkCommandBuffer wrapped) : m_impl(new Impl) {
     m_impl->device = &device.impl();
     m_impl->commands = wrapped;
+}
+
+CommandList::Impl::~Impl() {
+    if (*own && !isPending) device->idleCommands.push_back(std::move(own));
 }
 
 CommandList::~CommandList() = default;
@@ -293,9 +310,11 @@ void CommandList::SubmitAndWait() {
     const vk::raii::Fence fence(c.device->device, vk::FenceCreateInfo());
     c.device->Name(fence, "boxcar submit");
     const vk::CommandBuffer commands = *c.own;
+    c.isPending = true;
     c.device->queue.submit(vk::SubmitInfo({}, {}, commands), *fence);
     if (c.device->device.waitForFences(*fence, true, std::numeric_limits<uint64_t>::max()) != vk::Result::eSuccess)
         throw Error("the device '{}' did not finish", c.device->info.name);
+    c.isPending = false;
 
     if (c.timedNames.empty()) return;
     const size_t count = 2 * c.timedNames.size();

@@ -38,6 +38,7 @@ struct Device::Impl {
     std::function<void(const std::string&)> onValidationMessage;
 
     std::optional<vk::raii::CommandPool> commandPool;
+    std::vector<vk::raii::CommandBuffer> idleCommands;  // recorded anew by the next list rather than freed
     std::map<std::string, vk::raii::Sampler, std::less<>> samplers;  // by their names in the HLSL
 
     // Everything that needs no more than the handles: limits, timer, pool.
@@ -135,12 +136,14 @@ struct Pipeline::Impl {
 struct CommandList::Impl {
     Device::Impl* device = nullptr;
     vk::raii::CommandBuffer own = nullptr;
+    bool isPending = false;  // submitted, and not known to be done
     vk::CommandBuffer commands;
     std::vector<vk::raii::DescriptorPool> descriptorPools;
     vk::raii::QueryPool timer = nullptr;
     std::vector<std::string> timedNames;
     std::vector<PassTime> times;
 
+    ~Impl();
     void Barrier(const Image& image, ImageUse use);
     std::vector<vk::DescriptorSet> AllocateSets(const Pipeline::Impl& pipeline);
 };

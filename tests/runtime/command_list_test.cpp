@@ -47,6 +47,21 @@ TEST(CommandList, TargetsAreWrittenTopRowFirstWithPixelCentresOnHalves) {
     EXPECT_EQ(Download(sum), Texels(6, glm::vec4(3)));
 }
 
+TEST(CommandList, EachRecordsIntoTheBufferOfOneThatIsGone) {
+    const auto record = [](bool submits) {
+        CommandList commands(TestDevice());
+        const Image image(TestDevice(), {{1, 1}, Format::RGBA32F, "one texel"});
+        commands.Clear(image, {1, 2, 3, 4});
+        if (submits) commands.SubmitAndWait();
+        return commands.Handle();
+    };
+    const VkCommandBuffer first = record(true);
+    EXPECT_EQ(record(false), first);
+    EXPECT_EQ(record(true), first);
+    const CommandList one(TestDevice()), other(TestDevice());
+    EXPECT_NE(one.Handle(), other.Handle());
+}
+
 TEST(CommandList, AreaLimitsWhatIsDrawnAndTheRestKeepsItsValue) {
     const Extent2D extent{4, 3};
     const Pipeline pipeline = SubtractPipeline();
