@@ -1,7 +1,7 @@
 #include "runtime/base_level.h"
 
 #include "runtime/vulkan.h"
-#include "tools/layout/error.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 

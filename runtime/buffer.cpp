@@ -1,5 +1,5 @@
 #include "runtime/vulkan.h"
-#include "tools/layout/error.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 

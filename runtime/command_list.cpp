@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "runtime/vulkan.h"
-#include "tools/layout/error.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 namespace {
@@ -113,8 +113,8 @@ const Image& FindRead(const Pass& pass, const Binding& binding, const Pipeline::
     return *read->image;
 }
 
-// Command buffers are kept and recorded anew: freed ones are a race in the validation layer (1.3.239), whose own thread
-// forgets the labels of the old buffer while the next one, often of the same address, is being labeled.
+// Command buffers are kept and recorded anew: freed ones are a race in the validation layer (1.3.239), whose own
+// thread forgets the labels of the old buffer while the next one, often of the same address, is being labeled.
 vk::raii::CommandBuffer TakeCommands(Device::Impl& device) {
     if (device.idleCommands.empty()) {
         auto commands = std::move(

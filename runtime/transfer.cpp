@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "runtime/vulkan.h"
-#include "tools/layout/error.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 namespace {

@@ -6,7 +6,7 @@
 #include "hlsl/boxcar/dual_paraboloid_range.h"
 #include "hlsl/constants/dp_constants.h"
 #include "runtime/passes/quad_shaders.h"
-#include "tools/layout/error.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "hlsl/constants/sat_constants.h"
 #include "runtime/passes/quad_shaders.h"
-#include "tools/layout/error.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 namespace {

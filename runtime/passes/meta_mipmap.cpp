@@ -2,7 +2,7 @@
 
 #include <bit>
 
-#include "tools/layout/error.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 

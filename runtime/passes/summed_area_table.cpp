@@ -6,7 +6,7 @@
 #include "hlsl/constants/sat_constants.h"
 #include "passes_shaders.h"
 #include "runtime/passes/quad_shaders.h"
-#include "tools/layout/error.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 namespace {

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "runtime/passes/quad_shaders.h"
+#include "runtime/passes/resize.h"
 #include "samples/cli/device_run.h"
 #include "samples/cli/light.h"
 #include "samples/cli/plot.h"
-#include "samples/effects/resize.h"
 
 namespace boxcar {
 namespace {

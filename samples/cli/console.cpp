@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "samples/files/bytes.h"
-#include "tools/layout/printable.h"
+#include "tools/base/printable.h"
 
 namespace boxcar {
 namespace {

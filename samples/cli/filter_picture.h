@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "runtime/passes/blur.h"
 #include "samples/cli/codes.h"
 #include "samples/cli/stats.h"
-#include "samples/effects/blur.h"
 
 namespace boxcar {
 

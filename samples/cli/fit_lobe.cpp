@@ -9,7 +9,7 @@
 #include "samples/cli/console.h"
 #include "samples/cli/render.h"
 #include "samples/effects/lobe_fit.h"
-#include "tools/layout/error.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 namespace {

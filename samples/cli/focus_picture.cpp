@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "runtime/passes/layered_depth_of_field.h"
 #include "samples/cli/codes.h"
 #include "samples/cli/light.h"
-#include "samples/effects/layered_depth_of_field.h"
 
 namespace boxcar {
 

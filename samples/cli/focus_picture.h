@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "runtime/passes/depth_of_field.h"
 #include "samples/cli/options.h"
 #include "samples/cli/stats.h"
-#include "samples/effects/depth_of_field.h"
 #include "samples/files/picture.h"
 
 namespace boxcar {

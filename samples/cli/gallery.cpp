@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 #include <memory>
 
+#include "runtime/passes/sat_verbatim_blur.h"
 #include "samples/cli/bspline_figures.h"
 #include "samples/cli/console.h"
 #include "samples/cli/device_run.h"
@@ -21,7 +22,6 @@
 #include "samples/cli/gallery_page.h"
 #include "samples/cli/light.h"
 #include "samples/cli/precision/figures.h"
-#include "samples/effects/sat_verbatim_blur.h"
 #include "samples/files/bytes.h"
 #include "samples/files/color.h"
 

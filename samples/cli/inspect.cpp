@@ -12,7 +12,7 @@
 #include "samples/cli/console.h"
 #include "samples/cli/effect_run.h"
 #include "samples/cli/render.h"
-#include "tools/layout/printable.h"
+#include "tools/base/printable.h"
 
 namespace boxcar {
 namespace {

@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "samples/effects/blur.h"
+#include "runtime/passes/blur.h"
 #include "samples/files/picture.h"
-#include "tools/layout/error.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 

@@ -7,10 +7,10 @@
 #include <optional>
 
 #include "runtime/passes/quad_shaders.h"
+#include "runtime/passes/resize.h"
 #include "samples/cli/batch.h"
 #include "samples/cli/device_run.h"
 #include "samples/cli/light.h"
-#include "samples/effects/resize.h"
 
 namespace boxcar {
 namespace {

@@ -14,11 +14,11 @@
 #include <numbers>
 
 #include "hlsl/constants/effect_constants.h"
+#include "runtime/passes/layered_depth_of_field.h"
 #include "runtime/passes/mip_chain.h"
 #include "runtime/passes/quad_shaders.h"
 #include "runtime/transfer.h"
 #include "samples/effects/effects.h"
-#include "samples/effects/layered_depth_of_field.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/shapes.h"
 

@@ -16,7 +16,7 @@
 #include "runtime/passes/quad_shaders.h"
 #include "runtime/transfer.h"
 #include "samples/effects/effects.h"
-#include "tools/layout/error.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 namespace {

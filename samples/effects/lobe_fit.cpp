@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tools/layout/error.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 namespace {

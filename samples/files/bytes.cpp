@@ -9,9 +9,9 @@
 #include <cstring>
 #include <new>
 
-#include "tools/layout/descriptor.h"
-#include "tools/layout/error.h"
-#include "tools/layout/output_file.h"
+#include "tools/base/descriptor.h"
+#include "tools/base/error.h"
+#include "tools/base/output_file.h"
 
 namespace boxcar {
 namespace {

@@ -27,7 +27,7 @@ Bytes ReadBytes(const std::string& path, uint64_t maxBytes, const std::function<
 bool IsStandardOutput(const std::string& path);
 
 // Writes `bytes` to `path` whole, or leaves it as it was, but for the few kinds of path that
-// tools/layout/output_file.h names; it also says what becomes of links, owners and permissions. "-" is standard
+// tools/base/output_file.h names; it also says what becomes of links, owners and permissions. "-" is standard
 // output. A signal that ends the process leaves no temporary file.
 void WriteFileAtomically(const std::string& path, ByteView bytes);
 

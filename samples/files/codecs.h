@@ -9,7 +9,7 @@
 
 #include "samples/files/bytes.h"
 #include "samples/files/picture.h"
-#include "tools/layout/error.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 

@@ -13,7 +13,7 @@
 #include <unordered_map>
 
 #include "samples/files/bytes.h"
-#include "tools/layout/error.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 namespace {

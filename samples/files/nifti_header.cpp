@@ -9,7 +9,7 @@
 #include <optional>
 #include <string_view>
 
-#include "tools/layout/error.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 namespace {

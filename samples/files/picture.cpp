@@ -6,7 +6,7 @@
 
 #include "samples/files/bytes.h"
 #include "samples/files/codecs.h"
-#include "tools/layout/error.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 namespace {

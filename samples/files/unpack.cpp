@@ -4,7 +4,7 @@
 #include <new>
 #include <vector>
 
-#include "tools/layout/error.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 namespace {

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "samples/files/nifti_header.h"
-#include "tools/layout/error.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 namespace {

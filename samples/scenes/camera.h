@@ -13,7 +13,7 @@
 #include <glm/vec3.hpp>
 
 #include "runtime/format.h"
-#include "tools/layout/error.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "samples/files/color.h"
-#include "tools/layout/error.h"
+#include "tools/base/error.h"
 
 extern "C" const uint8_t scenes_bunny_obj[], scenes_bunny_obj_end[];
 extern "C" const uint8_t scenes_city_exr[], scenes_city_exr_end[];

@@ -6,7 +6,7 @@
 #include <glm/gtc/constants.hpp>
 #include <map>
 
-#include "tools/layout/error.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 

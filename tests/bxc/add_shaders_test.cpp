@@ -36,14 +36,16 @@ set(CMAKE_CXX_STANDARD 20)
 find_package(fmt REQUIRED)
 add_executable(bxc IMPORTED)
 set_target_properties(bxc PROPERTIES IMPORTED_LOCATION {})
+add_library(base STATIC IMPORTED)
+set_target_properties(base PROPERTIES IMPORTED_LOCATION {})
 add_library(layout STATIC IMPORTED)
 set_target_properties(layout PROPERTIES IMPORTED_LOCATION {} INTERFACE_INCLUDE_DIRECTORIES {}
-                      INTERFACE_LINK_LIBRARIES fmt::fmt)
+                      INTERFACE_LINK_LIBRARIES "base;fmt::fmt")
 include({}/cmake/shaders.cmake)
 add_executable(demo main.cpp)
 boxcar_add_shaders(demo hlsl/s.cfg)
 )",
-                                            BXC_PROGRAM, LAYOUT_LIBRARY, REPOSITORY, REPOSITORY));
+                                            BXC_PROGRAM, BASE_LIBRARY, LAYOUT_LIBRARY, REPOSITORY, REPOSITORY));
     }
 
     std::string Make() {

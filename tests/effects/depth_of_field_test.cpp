@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "runtime/passes/layered_depth_of_field.h"
 #include "samples/effects/effects.h"
-#include "samples/effects/layered_depth_of_field.h"
 #include "tests/reference/similarity.h"
 #include "tests/support/device_image.h"
 

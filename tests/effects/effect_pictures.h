@@ -10,7 +10,7 @@
 #include "samples/effects/effect.h"
 #include "samples/scenes/volumes.h"
 #include "tests/support/device_image.h"
-#include "tools/layout/error.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "tests/support/test_device.h"
-#include "tools/layout/error.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 namespace {

@@ -10,7 +10,7 @@
 #include "passes_shaders.h"
 #include "runtime/passes/bspline_prefilter.h"
 #include "runtime/passes/quad_shaders.h"
-#include "samples/effects/resize.h"
+#include "runtime/passes/resize.h"
 #include "test_support_shaders.h"
 #include "tests/hlsl/test_constants.h"
 #include "tests/support/device_image.h"

@@ -7,7 +7,7 @@
 
 #include "hlsl/boxcar/sat_range.h"
 #include "passes_shaders.h"
-#include "samples/effects/blur.h"
+#include "runtime/passes/blur.h"
 #include "test_support_shaders.h"
 #include "tests/hlsl/test_constants.h"
 #include "tests/reference/separable.h"

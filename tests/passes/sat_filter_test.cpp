@@ -10,8 +10,8 @@
 #include <numbers>
 
 #include "passes_shaders.h"
+#include "runtime/passes/blur.h"
 #include "runtime/passes/summed_area_table.h"
-#include "samples/effects/blur.h"
 #include "test_support_shaders.h"
 #include "tests/hlsl/test_constants.h"
 #include "tests/reference/order.h"

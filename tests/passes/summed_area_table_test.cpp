@@ -8,7 +8,7 @@
 
 #include "tests/support/device_image.h"
 #include "tests/support/expect_error.h"
-#include "tools/layout/error.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 namespace {

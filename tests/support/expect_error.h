@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tools/layout/error.h"
+#include "tools/base/error.h"
 
 #define EXPECT_ERROR(statement, text)                                         \
     do {                                                                      \

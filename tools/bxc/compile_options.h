@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "tools/base/error.h"
 #include "tools/bxc/flags.h"
-#include "tools/layout/error.h"
 #include "tools/layout/shader_layout.h"
 
 namespace boxcar {

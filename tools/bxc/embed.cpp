@@ -5,8 +5,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "tools/base/error.h"
 #include "tools/bxc/write.h"
-#include "tools/layout/error.h"
 
 namespace boxcar {
 namespace {
@@ -33,7 +33,7 @@ const EmbeddedShader& Find(std::string_view name);
 constexpr const char* kSource = R"(// Made by bxc.
 #include "{0}.h"
 
-#include "tools/layout/error.h"
+#include "tools/base/error.h"
 
 #include <cstdint>
 

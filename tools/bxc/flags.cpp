@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "tools/layout/error.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 namespace {

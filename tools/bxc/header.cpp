@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "tools/layout/printable.h"
+#include "tools/base/printable.h"
 
 namespace boxcar {
 

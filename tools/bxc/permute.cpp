@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "tools/layout/error.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 namespace {

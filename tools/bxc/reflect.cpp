@@ -6,7 +6,7 @@
 #include <spirv_cross.hpp>
 #include <tuple>
 
-#include "tools/layout/printable.h"
+#include "tools/base/printable.h"
 
 namespace boxcar {
 namespace {

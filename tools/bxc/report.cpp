@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "tools/layout/printable.h"
+#include "tools/base/printable.h"
 
 namespace boxcar {
 

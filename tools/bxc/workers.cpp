@@ -18,7 +18,7 @@
 #include <optional>
 #include <thread>
 
-#include "tools/layout/error.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 

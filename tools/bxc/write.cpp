@@ -14,11 +14,11 @@
 #include <span>
 #include <sstream>
 
+#include "tools/base/error.h"
+#include "tools/base/output_file.h"
 #include "tools/bxc/compiler.h"
 #include "tools/bxc/header.h"
 #include "tools/bxc/version.h"
-#include "tools/layout/error.h"
-#include "tools/layout/output_file.h"
 
 namespace boxcar {
 namespace {

@@ -8,7 +8,7 @@
 #include "hlsl/constants/precision_constants.h"
 #include "hlsl/constants/sat_constants.h"
 #include "passes_shaders.h"
-#include "tools/layout/error.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 namespace {

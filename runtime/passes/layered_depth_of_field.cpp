@@ -1,11 +1,11 @@
-#include "samples/effects/layered_depth_of_field.h"
+#include "runtime/passes/layered_depth_of_field.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "hlsl/constants/effect_constants.h"
 #include "runtime/passes/quad_shaders.h"
-#include "tools/layout/error.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 namespace {

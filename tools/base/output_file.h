@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "tools/layout/temporary_file.h"
+#include "tools/base/temporary_file.h"
 
 namespace boxcar {
 

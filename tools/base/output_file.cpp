@@ -1,4 +1,4 @@
-#include "tools/layout/output_file.h"
+#include "tools/base/output_file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -12,7 +12,7 @@
 #include <system_error>
 #include <utility>
 
-#include "tools/layout/descriptor.h"
+#include "tools/base/descriptor.h"
 
 namespace boxcar {
 namespace {

@@ -15,9 +15,9 @@
 #pragma once
 
 #include "hlsl/constants/effect_constants.h"
+#include "runtime/passes/depth_of_field.h"
 #include "runtime/passes/exact_table.h"
 #include "runtime/ping_pong.h"
-#include "samples/effects/depth_of_field.h"
 
 namespace boxcar {
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "tools/layout/printable.h"
+#include "tools/base/printable.h"
 
 namespace boxcar {
 

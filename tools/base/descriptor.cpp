@@ -1,4 +1,4 @@
-#include "tools/layout/descriptor.h"
+#include "tools/base/descriptor.h"
 
 #include <poll.h>
 #include <unistd.h>

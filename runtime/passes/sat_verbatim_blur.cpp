@@ -1,4 +1,4 @@
-#include "samples/effects/sat_verbatim_blur.h"
+#include "runtime/passes/sat_verbatim_blur.h"
 
 #include "hlsl/constants/sat_constants.h"
 #include "runtime/passes/quad_shaders.h"

@@ -1,4 +1,4 @@
-#include "tools/layout/error.h"
+#include "tools/base/error.h"
 
 #include <cstdio>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-#include "tools/layout/temporary_file.h"
+#include "tools/base/temporary_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

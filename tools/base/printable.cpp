@@ -1,4 +1,4 @@
-#include "tools/layout/printable.h"
+#include "tools/base/printable.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "samples/effects/depth_of_field.h"
+#include "runtime/passes/depth_of_field.h"
 
 #include "hlsl/constants/effect_constants.h"
 #include "runtime/passes/quad_shaders.h"

@@ -1,4 +1,4 @@
-#include "samples/effects/resize.h"
+#include "runtime/passes/resize.h"
 
 #include "runtime/passes/quad_shaders.h"
 

@@ -10,7 +10,7 @@
 // Hensley 2005, sect. 5.4 (Fig. 9)
 #pragma once
 
-#include "samples/effects/blur.h"
+#include "runtime/passes/blur.h"
 
 namespace boxcar {
 

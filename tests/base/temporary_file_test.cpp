@@ -1,4 +1,4 @@
-#include "tools/layout/temporary_file.h"
+#include "tools/base/temporary_file.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

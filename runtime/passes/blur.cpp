@@ -1,4 +1,4 @@
-#include "samples/effects/blur.h"
+#include "runtime/passes/blur.h"
 
 #include <cmath>
 #include <glm/common.hpp>
@@ -6,7 +6,7 @@
 #include <glm/vector_relational.hpp>
 
 #include "runtime/transfer.h"
-#include "tools/layout/error.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 namespace {

@@ -1,11 +1,11 @@
-#include "tools/layout/printable.h"
+#include "tools/base/printable.h"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "tools/layout/error.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 namespace {
