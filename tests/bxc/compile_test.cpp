@@ -368,6 +368,9 @@ TEST_F(CompileTest, WrongCommandLineIsExitCode2) {
     const RunResult none = Bxc({});
     EXPECT_EQ(none.exitCode, 2);
     EXPECT_EQ(none.err, "bxc: no command is given; accepted: compile, build, --help, --version (bxc --help)\n");
+    const RunResult unknown = Bxc({"run"});
+    EXPECT_EQ(unknown.exitCode, 2);
+    EXPECT_EQ(unknown.err, "bxc: unknown command 'run'; accepted: compile, build, --help, --version (bxc --help)\n");
     EXPECT_EQ(Bxc({"compile", "a.hlsl", "-T", "ps", "-o", "x.spv", "--what"}).exitCode, 2);
 }
 

@@ -2,24 +2,13 @@
 // shader with it and not the build.
 #pragma once
 
-#include <cstdint>
 #include <functional>
-#include <string>
 #include <vector>
 
-#include "tools/bxc/diagnostic.h"
+#include "tools/bxc/compile.h"
 #include "tools/bxc/manifest.h"
-#include "tools/layout/shader_layout.h"
 
 namespace boxcar {
-
-// What comes back from the compile of one shader. File names are relative to the job's root.
-struct CompileResult {
-    Diagnostics diagnostics;
-    std::vector<std::string> dependencies;  // every file that was read
-    std::vector<uint32_t> spirv;            // empty if there were errors
-    ShaderLayout layout;
-};
 
 struct WorkerLimits {
     int workers = 0;          // processes at a time; 0 is one a core

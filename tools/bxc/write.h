@@ -5,7 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "tools/bxc/workers.h"
+#include "tools/bxc/compile.h"
+#include "tools/bxc/manifest.h"
 
 namespace boxcar {
 
