@@ -1,7 +1,8 @@
 // From HLSL to SPIR-V. One interface, so that another compiler can stand behind it; today glslang does.
 //
-// Bindings: register(bN) is binding N, sN is 16 + N, uN is 32 + N, tN is 96 + N, spaceN is set N. A resource without
-// a register gets the next free binding of its class. With -Gec a sampler is texture and sampler in one: 96 + N.
+// Bindings: those of tools/layout/registers.h, or what the user's shifts make of them; spaceN is set N. A resource
+// without a register gets the next free binding of its class. With -Gec a sampler is texture and sampler in one, and
+// takes a t register.
 #pragma once
 
 #include <cstdint>
