@@ -50,7 +50,7 @@ TEST_F(TemporaryFileTest, IsGoneWithItsObjectUnlessItIsRenamed) {
 
 TEST_F(TemporaryFileTest, SaysWhyItCannotBeMade) {
     TemporaryFile file(m_folder + "/missing", 0600);
-    EXPECT_EQ(file.Descriptor(), -1);
+    EXPECT_EQ(file.Number(), -1);
     EXPECT_EQ(errno, ENOENT);
 }
 

@@ -309,10 +309,10 @@ TEST_F(CompileTest, SourcesThatAreNotShadersAreRefusedInOneLine) {
     std::filesystem::create_directory(m_folder / "folder.hlsl");
     const std::pair<const char*, const char*> refusals[] = {
         {"empty.hlsl", "empty.hlsl:1: error: there is no function 'main' to enter [missing_entry]\n"},
-        {"binary.hlsl", "binary.hlsl: error: cannot read 'binary.hlsl': it is not text: byte 4 is 0\n"},
-        {"large.hlsl", "large.hlsl: error: cannot read 'large.hlsl': it is longer than 16 MiB\n"},
-        {"folder.hlsl", "folder.hlsl: error: cannot read 'folder.hlsl': it is a directory\n"},
-        {"none.hlsl", "none.hlsl: error: cannot read 'none.hlsl': No such file or directory\n"}};
+        {"binary.hlsl", "binary.hlsl: error: 'binary.hlsl': not text: byte 4 is 0\n"},
+        {"large.hlsl", "large.hlsl: error: 'large.hlsl': longer than 16 MiB, the most that is read\n"},
+        {"folder.hlsl", "folder.hlsl: error: 'folder.hlsl': a folder; a file is expected\n"},
+        {"none.hlsl", "none.hlsl: error: 'none.hlsl': cannot be read: No such file or directory\n"}};
     for (const auto& [file, message] : refusals) {
         const RunResult run = Bxc({"compile", file, "-T", "ps", "-o", "out.spv"});
         EXPECT_EQ(run.exitCode, 1) << file;

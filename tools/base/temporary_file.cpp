@@ -10,7 +10,6 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
-#include <utility>
 
 namespace boxcar {
 namespace {
@@ -91,9 +90,9 @@ TemporaryFile::TemporaryFile(const std::string& folder, mode_t permissions) {
     int number = 0;
     do {
         m_name = fmt::format("{}{}.boxcar-{}-{}", folder, folder.empty() ? "" : "/", ::getpid(), number++);
-        m_descriptor = ::open(m_name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions);
-    } while (m_descriptor < 0 && errno == EEXIST);
-    if (m_descriptor < 0)
+        m_descriptor = Descriptor(::open(m_name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions));
+    } while (Number() < 0 && errno == EEXIST);
+    if (Number() < 0)
         m_name.clear();
     else
         Replace(nullptr, m_name.c_str());
@@ -105,10 +104,6 @@ TemporaryFile::~TemporaryFile() {
     const Exclusive exclusive;
     ::unlink(m_name.c_str());
     Replace(m_name.c_str(), nullptr);
-}
-
-bool TemporaryFile::Close() {
-    return m_descriptor < 0 || ::close(std::exchange(m_descriptor, -1)) == 0;
 }
 
 bool TemporaryFile::RenameTo(const std::string& path) {

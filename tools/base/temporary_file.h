@@ -5,6 +5,8 @@
 
 #include <string>
 
+#include "tools/base/descriptor.h"
+
 namespace boxcar {
 
 // A new file that will take another's name. It is gone with this object, or with a signal that ends the process:
@@ -15,23 +17,23 @@ namespace boxcar {
 class TemporaryFile {
 public:
     // Makes the file in `folder` (empty: the working folder) with those of the `permissions` that the umask allows.
-    // Where it cannot be made, Descriptor() is -1 and errno as of open(2).
+    // Where it cannot be made, Number() is -1 and errno as of open(2).
     TemporaryFile(const std::string& folder, mode_t permissions);
     ~TemporaryFile();
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
 
-    int Descriptor() const { return m_descriptor; }
+    int Number() const { return m_descriptor.Number(); }
 
-    // As close(2): some file systems only now say that the disk is full.
-    bool Close();
+    // As Descriptor::Close().
+    bool Close() { return m_descriptor.Close(); }
 
     // As rename(2); then it is no longer temporary.
     bool RenameTo(const std::string& path);
 
 private:
     std::string m_name;  // empty: there is no such file
-    int m_descriptor = -1;
+    Descriptor m_descriptor;
 };
 
 }  // namespace boxcar

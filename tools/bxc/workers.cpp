@@ -16,8 +16,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <thread>
 
+#include "tools/base/descriptor.h"
 #include "tools/base/error.h"
 
 namespace boxcar {
@@ -44,34 +46,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// A file descriptor that closes itself.
-class Descriptor {
-public:
-    explicit Descriptor(int number = -1) : m_number(number) {}
-    ~Descriptor() { Close(); }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-
-    int Number() const { return m_number; }
-    void Close() {
-        if (m_number >= 0) close(m_number);
-        m_number = -1;
-    }
-
-private:
-    int m_number;
-};
-
-bool WriteAll(int descriptor, std::string_view text) {
-    while (!text.empty()) {
-        const ssize_t written = write(descriptor, text.data(), text.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) return false;
-        text.remove_prefix(static_cast<size_t>(written));
-    }
-    return true;
-}
-
 // CBOR, since strings in JSON are UTF-8 and the name of a file is any bytes.
 std::string ToCbor(const nlohmann::json& json) {
     std::string bytes;
@@ -88,10 +62,10 @@ public:
         int input[2], output[2];
         if (pipe2(input, O_CLOEXEC) != 0) throw Error("cannot make a pipe: {}", std::strerror(errno));
         Descriptor childInput(input[0]);
-        m_input = std::make_unique<Descriptor>(input[1]);
+        m_input = Descriptor(input[1]);
         if (pipe2(output, O_CLOEXEC) != 0) throw Error("cannot make a pipe: {}", std::strerror(errno));
         Descriptor childOutput(output[1]);
-        m_output = std::make_unique<Descriptor>(output[0]);
+        m_output = Descriptor(output[0]);
 
         posix_spawn_file_actions_t actions;
         posix_spawn_file_actions_init(&actions);
@@ -113,16 +87,17 @@ public:
     void Start(size_t number, const ShaderJob& job) {
         m_job = number;
         m_started = Clock::now();
-        WriteAll(m_input->Number(), ToCbor(job));  // if it cannot be written, the worker is dead, and Read() sees it
+        const std::string bytes = ToCbor(job);
+        WriteAll(m_input.Number(), std::as_bytes(std::span(bytes)));  // fails if the worker is dead; Read() sees it
     }
 
     std::optional<size_t> Job() const { return m_job; }
-    int Output() const { return m_output->Number(); }
+    int Output() const { return m_output.Number(); }
 
     // Reads what has arrived. Returns false at the end of the worker's life.
     bool Read() {
         char bytes[65536];
-        const ssize_t count = read(m_output->Number(), bytes, sizeof bytes);
+        const ssize_t count = read(m_output.Number(), bytes, sizeof bytes);
         if (count < 0 && errno == EINTR) return true;
         if (count <= 0) return false;
         m_text.append(bytes, static_cast<size_t>(count));
@@ -163,7 +138,7 @@ public:
 
 private:
     pid_t m_process = 0;
-    std::unique_ptr<Descriptor> m_input, m_output;
+    Descriptor m_input, m_output;
     std::optional<size_t> m_job;
     Clock::time_point m_started;
     std::string m_text;
@@ -233,8 +208,8 @@ void RunWorker(const std::function<CompileResult(const ShaderJob&)>& compile) {
         const auto job = nlohmann::json::from_cbor(std::cin, kToTheEndOfTheStream).get<ShaderJob>();
         const std::string answer = ToCbor(compile(job));
         const AnswerSize size = answer.size();
-        WriteAll(answers, {reinterpret_cast<const char*>(&size), sizeof size});
-        WriteAll(answers, answer);
+        WriteAll(answers, std::as_bytes(std::span(&size, 1)));
+        WriteAll(answers, std::as_bytes(std::span(answer)));
     }
 }
 
