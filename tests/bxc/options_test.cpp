@@ -171,9 +171,9 @@ TEST(OptionsTest, FlagsOfOtherCompilersThatBxcCanMeanAreRead) {
 
 TEST(OptionsTest, FlagsThatBxcCannotMeanAreRefusedWithTheReason) {
     const std::pair<std::vector<std::string>, const char*> refusals[] = {
-        {{"/Fc", "a.asm"}, "'-Fc': bxc writes no listing; spirv-dis makes one of the .spv"},
+        {{"/Fc", "a.asm"}, "'-Fc': bxc does not write listings; spirv-dis makes one from the .spv"},
         {{"/Fea.txt"}, "'-Fe': messages go to stderr; redirect them"},
-        {{"-fvk-use-scalar-layout"}, "'-fvk-use-scalar-layout': constants lie as in Direct3D"},
+        {{"-fvk-use-scalar-layout"}, "'-fvk-use-scalar-layout': constants are laid out as in Direct3D"},
         {{"-fvk-bind-globals", "0", "1"}, "'-fvk-bind-globals': constants outside a cbuffer are refused"},
         {{"-fspv-target-env=vulkan1.0"},
          "'-fspv-target-env=vulkan1.0': the SPIR-V is version 1.3, for Vulkan 1.1 and later: expected vulkan1.1 or "

@@ -27,8 +27,8 @@ private:
     int m_number;
 };
 
-// Writes all of `bytes`, in as many calls of write(2) as it takes; waits for a pipe that does not block. False: errno
-// says why not.
+// Writes all of `bytes`, with as many calls of write(2) as it takes. Waits if the descriptor is a non-blocking pipe
+// that is full. Returns false if it fails, and errno says why.
 bool WriteAll(int descriptor, std::span<const std::byte> bytes);
 
 }  // namespace boxcar

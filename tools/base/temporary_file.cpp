@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array kEnding = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXCPU, SIGXFSZ};
 
-// What the handler takes away.
+// The files that the signal handler removes.
 std::array<std::atomic<const char*>, 16> names;
 static_assert(std::atomic<const char*>::is_always_lock_free);
 
@@ -35,8 +35,8 @@ sigset_t EndingSignals() {
     return set;
 }
 
-// Between a name's coming into the world and into the table, or its leaving them, no signal is handled: not by this
-// thread, where it waits, nor by another, such as a driver's, where the handler does.
+// While this exists, the table and the files do not have to agree. A signal to this thread waits until then; in
+// another thread, such as a driver's, the handler waits for the lock.
 class Exclusive {
 public:
     Exclusive() {
@@ -55,7 +55,8 @@ private:
     sigset_t m_before;
 };
 
-// Calls only what a handler may. The lock stays: no more files are made. The signal is blocked until this returns.
+// Calls only what a signal handler may. It keeps the lock, so no more files are made. The signal is blocked until
+// this returns.
 void UnlinkAndEnd(int signal) {
     Lock();
     for (const auto& name : names)

@@ -135,14 +135,14 @@ struct Refusal {
     const char* reason;
 };
 constexpr Refusal kRefused[] = {
-    {"-Fc", 1, "bxc writes no listing; spirv-dis makes one of the .spv"},
-    {"-Fx", 1, "bxc writes no listing; spirv-dis makes one of the .spv"},
+    {"-Fc", 1, "bxc does not write listings; spirv-dis makes one from the .spv"},
+    {"-Fx", 1, "bxc does not write listings; spirv-dis makes one from the .spv"},
     {"-Fe", 1, "messages go to stderr; redirect them"},
     {"-Fre", 1, "reflection goes to the .layout.json beside the .spv"},
     {"-Frs", 1, "Vulkan has no root signatures"},
-    {"-P", 1, "bxc writes no preprocessed text"},
-    {"-fvk-use-gl-layout", 0, "constants lie as in Direct3D"},
-    {"-fvk-use-scalar-layout", 0, "constants lie as in Direct3D"},
+    {"-P", 1, "bxc does not write preprocessed text"},
+    {"-fvk-use-gl-layout", 0, "constants are laid out as in Direct3D"},
+    {"-fvk-use-scalar-layout", 0, "constants are laid out as in Direct3D"},
     {"-fspv-preserve-bindings", 0, "what a shader does not use is not in its layout"},
     {"-fspv-preserve-interface", 0, "what a shader does not use is not in its layout"},
     {"-fvk-bind-globals", 2, "constants outside a cbuffer are refused"},

@@ -187,7 +187,7 @@ private:
     static CompiledShader Refuse(CompiledShader& result, const CompileOptions& options, Diagnostics& diagnostics) {
         if (!HasErrors(diagnostics))
             diagnostics.push_back(
-                {{options.file, 0, 0}, Severity::Error, "the compiler refuses it without a reason"});
+                {{options.file, 0, 0}, Severity::Error, "the compiler refuses this shader without giving a reason"});
         return std::move(result);
     }
 };

@@ -1,5 +1,5 @@
-// Runs compiles in processes of their own, so that a compiler which crashes, hangs or devours the memory takes one
-// shader with it and not the build.
+// Compiles in separate processes, so that a compiler that crashes, hangs or uses up the memory costs one shader and
+// not the whole build.
 #pragma once
 
 #include <functional>
@@ -11,12 +11,12 @@
 namespace boxcar {
 
 struct WorkerLimits {
-    int workers = 0;          // processes at a time; 0 is one a core
+    int workers = 0;          // processes at a time; 0 is one per core
     int timeoutSeconds = 60;  // of one shader
     int maxMemoryMib = 1024;  // resident size of one worker
 };
 
-// Compiles all jobs and calls `done` for each, in the order of the jobs. A worker that dies or breaks a limit is
+// Compiles all jobs and calls `done` for each, in the order of the jobs. A worker that dies or goes over a limit is
 // replaced, and its shader gets one error that says so. Throws Error if no process can be started.
 void CompileAll(const std::vector<ShaderJob>& jobs, const WorkerLimits& limits,
                 const std::function<void(const ShaderJob&, CompileResult)>& done);

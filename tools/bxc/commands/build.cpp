@@ -27,11 +27,11 @@ bxc build MANIFEST -o DIR [flags]: compiles the shaders that MANIFEST lists, whe
 constexpr const char* kManifest = R"(
   -D -I -HV -Zpr ..   flags of a shader (below) that hold for every line; all except for -T -E -o --after
 
-A manifest has one shader per line: its file, relative to the manifest, then these flags. Lines that start with # or //
-are comments; #ifdef NAME (a -D of the command line), #if 0, #if 1, #else and #endif leave lines out. ShaderMake's
-manifests are read as they are.
+A manifest has one shader per line: its file, relative to the manifest, and these flags. Lines that start with # or
+// are comments; #ifdef NAME (a -D of the command line), #if 0, #if 1, #else and #endif leave lines out. bxc also
+reads the manifests of ShaderMake.
 A word with braces compiles the shader once for each value: -D NAME={A,B}, -E {a,b}, -D {A,} (with A and without).
-Several of them multiply. #include looks in the manifest's own folder last.
+With several such words it is compiled for every combination. #include looks in the manifest's own folder last.
 
 )";
 

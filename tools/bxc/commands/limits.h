@@ -8,7 +8,7 @@
 
 namespace boxcar {
 
-// --timeout and --max-memory, which write to `limits`. It outlives them.
+// --timeout and --max-memory, which write to `limits`. It must outlive the flags.
 std::vector<Flag> LimitFlags(WorkerLimits& limits);
 
 // The flags and what they mean, for HelpText.
