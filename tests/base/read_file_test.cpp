@@ -3,9 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
-
+#include "tests/support/temporary_folder.h"
 #include "tools/base/descriptor.h"
 #include "tools/base/error.h"
 
@@ -22,14 +20,13 @@ std::string ErrorOf(const std::string& path, const ReadFileOptions& options) {
 }
 
 TEST(ReadFileTest, FilesAreReadWholeUpToTheLimit) {
-    const std::string path = testing::TempDir() + "boxcar-read-file-" + std::to_string(getpid());
-    std::ofstream(path) << std::string(1 << 20, 'a') << 'b';
+    const test::TemporaryFolder folder;
+    const std::string path = folder.WriteText("f", std::string(1 << 20, 'a') + 'b');
     const std::vector<uint8_t> bytes = ReadFile(path, {"f", (1 << 20) + 1});
     EXPECT_EQ(bytes.size(), size_t{(1 << 20) + 1});
     EXPECT_EQ(bytes.back(), 'b');
     EXPECT_EQ(ReadFile(path, {"f"}), bytes);
     EXPECT_EQ(ErrorOf(path, {"f", 1 << 20}), "f: longer than 1 MiB, the most that is read");
-    std::filesystem::remove(path);
 }
 
 TEST(ReadFileTest, WhatIsNoFileIsRefusedUnderTheNameThatIsGiven) {
