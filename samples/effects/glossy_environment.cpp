@@ -11,6 +11,7 @@
 #include "runtime/passes/dual_paraboloid.h"
 #include "runtime/passes/quad_shaders.h"
 #include "runtime/transfer.h"
+#include "samples/effects/effect_shader.h"
 #include "samples/effects/effects.h"
 #include "samples/scenes/shapes.h"
 #include "samples/scenes/surroundings.h"
@@ -32,7 +33,7 @@ PipelineDesc ReflectionShaders(std::string_view lobe) {
                               : lobe == "tent"      ? "glossy.ps.LOBE=ORDER2"
                               : lobe == "parabolic" ? "glossy.ps.LOBE=ORDER3"
                                                     : "phong.ps";
-    return SceneShaders(pixel);
+    return SceneShaders(EffectShader(pixel));
 }
 
 // Red: 1, or waves between a mirror and the full width.
@@ -52,7 +53,7 @@ Image GlossTexture(Device& device, bool isUniform) {
 
 // With tables of what rounding left over; orders 2 and 3.
 PipelineDesc FineReflectionShaders(uint32_t order) {
-    return SceneShaders(fmt::format("glossy.ps.LOBE=ORDER{}.FINE=1", order));
+    return SceneShaders(EffectShader(fmt::format("glossy.ps.LOBE=ORDER{}.FINE=1", order)));
 }
 
 // The largest box of a lobe's kernels, anywhere on the faces.
@@ -68,7 +69,7 @@ uint32_t LargestBox(uint32_t order, uint32_t side, float widthTexels) {
 // The papers' tables: floats, what is outside of the disc 0.
 struct FloatTables {
     FloatTables(Device& device, uint32_t side)
-        : mask(device, QuadShaders("dp_mask.ps")),
+        : mask(device, QuadShaders(EffectShader("dp_mask.ps"))),
           masked(device, {{side, side}, Format::RGBA32F, "masked face"}),
           front(device, {.extent = {side, side}}),
           back(device, {.extent = {side, side}}) {}
@@ -108,7 +109,7 @@ protected:
           m_surroundings(device, inputs.environment, side),
           m_paraboloid(device, side, mapping),
           m_reflecting(device, ReflectionShaders(lobe)),
-          m_matt(device, SceneShaders("scene.ps")),
+          m_matt(device, MattShaders()),
           m_object(UploadMesh(device, StandingMesh(inputs.mesh, {CameraAt(0), inputs.extent, glm::vec3(0), 1, 0.5f}),
                               "object")),
           m_sphere(UploadMesh(device, Sphere(1, 48, 24), "sphere")),

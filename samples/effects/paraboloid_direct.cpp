@@ -5,6 +5,7 @@
 // Scheuermann 2005 (direct rendering of the faces); Hensley 2005, sect. 5.1.1
 #include "runtime/passes/dual_paraboloid.h"
 #include "runtime/passes/quad_shaders.h"
+#include "samples/effects/effect_shader.h"
 #include "samples/effects/effects.h"
 #include "samples/scenes/shapes.h"
 #include "samples/scenes/surroundings.h"
@@ -15,9 +16,7 @@ namespace {
 constexpr float kFarWorld = 10;
 
 PipelineDesc DirectShaders() {
-    return {.vertex = passes_shaders::Find("shaders/dp_scene.vs"),
-            .pixel = passes_shaders::Find("shaders/dp_scene.ps"),
-            .testsDepth = true};
+    return {.vertex = EffectShader("dp_scene.vs"), .pixel = EffectShader("dp_scene.ps"), .testsDepth = true};
 }
 
 class ParaboloidDirect : public Effect {
@@ -27,7 +26,7 @@ public:
           m_surroundings(device, {{2, 1}, {glm::vec4(0), glm::vec4(0)}}, m_side),
           m_paraboloid(device, m_side),
           m_direct(device, DirectShaders()),
-          m_pair(device, QuadShaders("dp_pair.ps")),
+          m_pair(device, QuadShaders(EffectShader("dp_pair.ps"))),
           m_room(
               UploadMesh(device, Subdivided(Room(4), static_cast<uint32_t>(values.Whole("subdivisions"))), "room")),
           m_sphere(UploadMesh(device, Sphere(1, 48, 24), "sphere")),

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "runtime/passes/exact_table.h"
+#include "samples/effects/effect_shader.h"
 #include "samples/effects/effects.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/shapes.h"
@@ -28,9 +29,9 @@ public:
               device, StandingMesh(inputs.mesh, {m_camera, inputs.extent, glm::vec3(0), kObjectScale}), "object")),
           m_sphere(UploadMesh(device, Sphere(1, 64, 32), "sphere")),
           m_ground(UploadMesh(device, Ground(24, 1), "floor")),
-          m_mirrored(device, SceneShaders("planar_reflected.ps")),
-          m_direct(device, SceneShaders("scene.ps")),
-          m_floor(device, SceneShaders(fmt::format("planar_floor.ps.WORDS={}", WordsOf(m_precision)))),
+          m_mirrored(device, SceneShaders(EffectShader("planar_reflected.ps"))),
+          m_direct(device, MattShaders()),
+          m_floor(device, SceneShaders(EffectShader(fmt::format("planar_floor.ps.WORDS={}", WordsOf(m_precision))))),
           m_reflected(device, {inputs.extent, Format::RGBA32F, "reflected"}),
           m_picture(device, {inputs.extent, Format::RGBA32F, "picture"}),
           m_depth(device, {inputs.extent, Format::Depth32F, "depth"}),

@@ -12,6 +12,7 @@
 #include "runtime/passes/mip_chain.h"
 #include "runtime/passes/quad_shaders.h"
 #include "runtime/ping_pong.h"
+#include "samples/effects/effect_shader.h"
 #include "samples/effects/effects.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/shapes.h"
@@ -49,7 +50,7 @@ MeshData Ceiling() {
 // Targets of twice the picture's sides, and what has been added up of them.
 struct Samples {
     Samples(Device& device, Extent2D extent)
-        : add(device, QuadShaders("texture_samples.ps")),
+        : add(device, QuadShaders(EffectShader("texture_samples.ps"))),
           samples(device, {{2 * extent.widthTexels, 2 * extent.heightTexels}, Format::RGBA32F, "samples"}),
           depth(device, {samples.Extent(), Format::Depth32F, "samples' depth"}),
           sum(device, {extent, Format::RGBA32F, "sum of samples"}) {}
@@ -66,15 +67,15 @@ public:
           m_ellipsoid(UploadMesh(device, Ellipsoid(), "ellipsoid")),
           m_floor(UploadMesh(device, Ground(kPlaneLength, 1), "floor")),
           m_ceiling(UploadMesh(device, Ceiling(), "ceiling")),
-          m_drawPattern(device, QuadShaders("texture_pattern.ps")),
-          m_nearest(device, SceneShaders("texture_sampled.ps.SAMPLER=nearestRepeat")),
-          m_linear(device, SceneShaders("texture_sampled.ps.SAMPLER=linearRepeat")),
-          m_bspline(device, SceneShaders("texture_bspline.ps")),
-          m_anisotropic(device, SceneShaders("texture_sampled.ps.SAMPLER=anisotropicRepeat")),
-          m_fromTable(device, SceneShaders("texture_table.ps")),
+          m_drawPattern(device, QuadShaders(EffectShader("texture_pattern.ps"))),
+          m_nearest(device, SceneShaders(EffectShader("texture_sampled.ps.SAMPLER=nearestRepeat"))),
+          m_linear(device, SceneShaders(EffectShader("texture_sampled.ps.SAMPLER=linearRepeat"))),
+          m_bspline(device, SceneShaders(EffectShader("texture_bspline.ps"))),
+          m_anisotropic(device, SceneShaders(EffectShader("texture_sampled.ps.SAMPLER=anisotropicRepeat"))),
+          m_fromTable(device, SceneShaders(EffectShader("texture_table.ps"))),
           m_pattern(device, {kTexture, Format::RGBA32F, "pattern"}),
           m_mips(device, kTexture),
-          m_filteredMips(device, kTexture, "texture_halve.ps"),
+          m_filteredMips(device, kTexture, QuadShaders(EffectShader("texture_halve.ps"))),
           m_table(device, {.extent = kTexture, .codes = {.scale = 255, .largest = 255}}),
           m_picture(device, {inputs.extent, Format::RGBA32F, "picture"}),
           m_depth(device, {inputs.extent, Format::Depth32F, "depth"}) {}

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "runtime/passes/exact_table.h"
+#include "samples/effects/effect_shader.h"
 #include "samples/effects/effects.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/shapes.h"
@@ -20,7 +21,7 @@ constexpr float kObjectScale = 1.25f;
 constexpr float kLargestEtching = 1, kThickestOverDistance = 0.6f;
 
 PipelineDesc FarSides() {
-    PipelineDesc desc = SceneShaders("glass_back.ps");
+    PipelineDesc desc = SceneShaders(EffectShader("glass_back.ps"));
     desc.cull = Cull::Front;
     return desc;
 }
@@ -30,9 +31,9 @@ public:
     Translucency(Device& device, const EffectInputs& inputs, const ParameterValues&)
         : m_focalTexels(TexelsAtDepthOne(m_camera, inputs.extent)),
           m_precision(SATExactPrecision(glm::vec2(WidestTexels()), 1, false, kCodes)),
-          m_opaque(device, SceneShaders("scene.ps")),
+          m_opaque(device, MattShaders()),
           m_farSides(device, FarSides()),
-          m_glass(device, SceneShaders(fmt::format("glass.ps.WORDS={}", WordsOf(m_precision)))),
+          m_glass(device, SceneShaders(EffectShader(fmt::format("glass.ps.WORDS={}", WordsOf(m_precision))))),
           m_object(UploadMesh(
               device, StandingMesh(inputs.mesh, {m_camera, inputs.extent, glm::vec3(0), kObjectScale}), "object")),
           m_sphere(UploadMesh(device, Sphere(1, 96, 48), "sphere")),

@@ -6,7 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/gtc/constants.hpp>
 
-#include "passes_shaders.h"
+#include "scenes_shaders.h"
 
 namespace boxcar {
 namespace {
@@ -79,11 +79,15 @@ SceneConstants ConstantsOf(const SceneObject& object, const glm::mat4& clipFromW
             eyeWorld,          object.optionC};
 }
 
-PipelineDesc SceneShaders(const std::string& pixel, std::vector<Format> targets) {
-    return {.vertex = passes_shaders::Find("shaders/scene.vs"),
-            .pixel = passes_shaders::Find("shaders/" + pixel),
+PipelineDesc SceneShaders(const EmbeddedShader& pixel, std::vector<Format> targets) {
+    return {.vertex = scenes_shaders::Find("shaders/scene.vs"),
+            .pixel = pixel,
             .targets = std::move(targets),
             .testsDepth = true};
+}
+
+PipelineDesc MattShaders() {
+    return SceneShaders(scenes_shaders::Find("shaders/scene.ps"));
 }
 
 void DrawObjects(CommandList& commands, Pass first, std::span<const SceneObject> objects,

@@ -27,8 +27,11 @@ struct SceneObject {
 
 SceneConstants ConstantsOf(const SceneObject& object, const glm::mat4& clipFromWorld, glm::vec3 eyeWorld);
 
-// Shaders for objects: scene.vs and "shaders/`pixel`", with a depth test.
-PipelineDesc SceneShaders(const std::string& pixel, std::vector<Format> targets = {Format::RGBA32F});
+// Shaders for objects: scene.vs and a pixel shader that reads what it hands on, with a depth test.
+PipelineDesc SceneShaders(const EmbeddedShader& pixel, std::vector<Format> targets = {Format::RGBA32F});
+
+// The same with scene.ps: matt surfaces in the sample scenes' light.
+PipelineDesc MattShaders();
 
 // Draws each object as `first` says, with its mesh and constants; what `first` clears is cleared once.
 void DrawObjects(CommandList& commands, Pass first, std::span<const SceneObject> objects,

@@ -1,9 +1,13 @@
 // The structs that C++ and HLSL share have the same offsets in both.
 #include <gtest/gtest.h>
 
+#include "effects_shaders.h"
 #include "hlsl/constants/dp_constants.h"
+#include "hlsl/constants/effect_constants.h"
 #include "hlsl/constants/sat_constants.h"
 #include "hlsl/constants/scene_constants.h"
+#include "passes_shaders.h"
+#include "scenes_shaders.h"
 #include "tests/support/offsets.h"
 
 namespace boxcar {
@@ -21,11 +25,14 @@ TEST(EffectConstants, OffsetsInCppEqualThoseInTheShaders) {
     const Offsets face = {OFFSET(DPFaceConstants, face), OFFSET(DPFaceConstants, sideTexels),
                           OFFSET(DPFaceConstants, codeScale), OFFSET(DPFaceConstants, largestLight)};
     const Offsets encode = {OFFSET(SATEncodeConstants, scale), OFFSET(SATEncodeConstants, largest)};
-    EXPECT_EQ(OffsetsIn("shaders/planar_floor.ps.WORDS=1"), scene);
-    EXPECT_EQ(OffsetsIn("shaders/scene.vs"), scene);
-    EXPECT_EQ(OffsetsIn("shaders/environment.ps"), backdrop);
-    EXPECT_EQ(OffsetsIn("shaders/dp_encode.ps.FINE=0"), face);
-    EXPECT_EQ(OffsetsIn("shaders/sat_encode.ps.WORDS=2"), encode);
+    const Offsets lensMips = {OFFSET(LensMipsConstants, focusDisparity), OFFSET(LensMipsConstants, apertureTexels),
+                              OFFSET(LensMipsConstants, noiseLevels)};
+    EXPECT_EQ(OffsetsIn(effects_shaders::Find("shaders/planar_floor.ps.WORDS=1")), scene);
+    EXPECT_EQ(OffsetsIn(scenes_shaders::Find("shaders/scene.vs")), scene);
+    EXPECT_EQ(OffsetsIn(scenes_shaders::Find("shaders/environment.ps")), backdrop);
+    EXPECT_EQ(OffsetsIn(effects_shaders::Find("shaders/lens_mips.ps")), lensMips);
+    EXPECT_EQ(OffsetsIn(passes_shaders::Find("shaders/dp_encode.ps.FINE=0")), face);
+    EXPECT_EQ(OffsetsIn(passes_shaders::Find("shaders/sat_encode.ps.WORDS=2")), encode);
 }
 
 }  // namespace
