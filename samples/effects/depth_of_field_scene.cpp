@@ -223,7 +223,7 @@ private:
         camera.eyeWorld.x = 0.35f * std::sin(static_cast<float>(frame.timeSeconds));
 
         const auto draw = [&](const Pipeline& pipeline, const Image& target, glm::vec2 pointWorld) {
-            const SceneObject object{.mesh = &m_scene.Triangles(), .optionA = frame.values["object"]};
+            const SceneObject object{.mesh = &m_scene.Triangles()};
             Pass pass{.name = target.Desc().name,
                       .pipeline = pipeline,
                       .reads = {{"palette", &m_scene.Palette()}},
@@ -233,7 +233,9 @@ private:
                       .clearsDepth = true};
             if (m_hidden && &target == &*m_hidden) pass.reads.push_back({"nearest", &m_nearest});
             DrawObjects(commands, pass, std::span(&object, 1), ClipFromLens(camera, extent, pointWorld, focusWorld),
-                        camera.eyeWorld);
+                        camera.eyeWorld, [&](const SceneConstants& scene, const SceneObject&) {
+                            return LensSceneConstants{scene, frame.values["object"]};
+                        });
         };
         if (m_accumulation)
             return m_accumulation->Record(commands, [&](const Image& target, uint32_t view) {

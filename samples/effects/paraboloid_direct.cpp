@@ -3,6 +3,7 @@
 //   scene  ->  dp_scene.vs  ->  front, back     |     scene  ->  cube map  ->  dual paraboloid  ->  front, back
 //
 // Scheuermann 2005 (direct rendering of the faces); Hensley 2005, sect. 5.1.1
+#include "hlsl/constants/effect_constants.h"
 #include "runtime/passes/dual_paraboloid.h"
 #include "runtime/passes/quad_shaders.h"
 #include "samples/effects/effect_shader.h"
@@ -39,7 +40,7 @@ public:
 private:
     const Image& Draw(CommandList& commands, const Frame& frame) override {
         const auto time = static_cast<float>(frame.timeSeconds);
-        std::vector<SceneObject> objects = {
+        const std::vector<SceneObject> objects = {
             {.mesh = &m_room, .turnRadians = 0.4f + 0.2f * time, .albedo = {0.8f, 0.78f, 0.7f}, .checkWorld = 0.5f},
             {.mesh = &m_sphere, .offsetWorld = {0.5f, -0.5f, -1.1f}, .scale = 0.35f, .albedo = {0.8f, 0.2f, 0.15f}},
             {.mesh = &m_sphere, .offsetWorld = {-0.6f, 0.3f, 1.0f}, .scale = 0.3f, .albedo = {0.2f, 0.35f, 0.8f}}};
@@ -47,10 +48,6 @@ private:
         AddStage("front-cube", *viaCube.front);
         AddStage("back-cube", *viaCube.back);
         for (size_t face = 0; face < 2; face++) {
-            for (SceneObject& object : objects) {
-                object.optionA = static_cast<float>(face);
-                object.optionB = kFarWorld;
-            }
             DrawObjects(commands,
                         {.name = "direct",
                          .pipeline = m_direct,
@@ -58,7 +55,10 @@ private:
                          .depth = &m_depth,
                          .clearColor = glm::vec4(0),
                          .clearsDepth = true},
-                        objects, glm::mat4(1), glm::vec3(0));
+                        objects, glm::mat4(1), glm::vec3(0),
+                        [&](const SceneConstants& scene, const SceneObject& object) {
+                            return DPSceneConstants{scene, object.checkWorld, static_cast<int>(face), kFarWorld};
+                        });
             AddStage(m_faces[face].Desc().name, m_faces[face]);
         }
         const bool isFront = frame.values.Choice("show") == "front";

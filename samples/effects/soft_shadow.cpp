@@ -76,11 +76,7 @@ private:
             .nearDepth = kLampDistance - kLampReach,
             .farDepth = kLampDistance + 2 * kLampReach};
         const float reach = lamp.farDepth - lamp.nearDepth;
-        std::vector<SceneObject> objects = Objects(time);
-        for (SceneObject& object : objects) {
-            object.optionA = lamp.nearDepth;
-            object.optionB = reach;
-        }
+        const std::vector<SceneObject> objects = Objects(time);
 
         DrawObjects(commands,
                     {.name = "depth from the lamp",
@@ -89,7 +85,10 @@ private:
                      .depth = &m_mapDepth,
                      .clearColor = glm::vec4(1),
                      .clearsDepth = true},
-                    objects, ClipFromWorld(lamp, m_map.Extent()), lamp.eyeWorld);
+                    objects, ClipFromWorld(lamp, m_map.Extent()), lamp.eyeWorld,
+                    [&](const SceneConstants& scene, const SceneObject&) {
+                        return ShadowDepthConstants{scene, lamp.nearDepth, reach};
+                    });
         AddStage("depth", m_map);
         DrawObjects(commands,
                     {.name = "surfaces",

@@ -154,14 +154,12 @@ private:
         }
         std::vector<SceneObject> objects;
         if (isEllipsoid)
-            objects = {
-                {.mesh = &m_ellipsoid, .turnRadians = 0.2f * time, .optionA = repeats, .optionB = repeats / 2}};
+            objects = {{.mesh = &m_ellipsoid, .turnRadians = 0.2f * time}};
         else
             for (const float side : {-1.0f, 1.0f})
-                objects.push_back({.mesh = side < 0 ? &m_floor : &m_ceiling,
-                                   .offsetWorld = {0, side, 0},
-                                   .optionA = kPlaneRepeats * repeats,
-                                   .optionB = kPlaneRepeats * repeats});
+                objects.push_back({.mesh = side < 0 ? &m_floor : &m_ceiling, .offsetWorld = {0, side, 0}});
+        const glm::vec2 repeatsOfMesh =
+            isEllipsoid ? glm::vec2(repeats, repeats / 2) : glm::vec2(kPlaneRepeats * repeats);
         const Extent2D extent = target.Extent();
         const glm::vec2 offsetClip = 2.0f * offsetTexels / glm::vec2(extent.widthTexels, extent.heightTexels);
         const glm::mat4 moved = glm::translate(glm::mat4(1), glm::vec3(offsetClip, 0));
@@ -173,7 +171,10 @@ private:
                      .depth = &depth,
                      .clearColor = glm::vec4(kSky, 0),
                      .clearsDepth = true},
-                    objects, moved * ClipFromWorld(camera, m_picture.Extent()), camera.eyeWorld);
+                    objects, moved * ClipFromWorld(camera, m_picture.Extent()), camera.eyeWorld,
+                    [&](const SceneConstants& scene, const SceneObject&) {
+                        return TexturedConstants{scene, repeatsOfMesh};
+                    });
     }
 
     Device& m_device;

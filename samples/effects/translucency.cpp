@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "hlsl/constants/effect_constants.h"
 #include "runtime/passes/exact_table.h"
 #include "samples/effects/effect_shader.h"
 #include "samples/effects/effects.h"
@@ -56,7 +57,7 @@ private:
                      .clearColor = glm::vec4(kSky, 1),
                      .clearsDepth = true},
                     OpaqueObjects(), clip, m_camera.eyeWorld);
-        std::vector<SceneObject> glass = GlassObjects(time, frame.values);
+        std::vector<SceneObject> glass = GlassObjects(time);
         std::ranges::sort(glass, std::greater(), [&](const SceneObject& object) {
             return glm::distance(object.offsetWorld, m_camera.eyeWorld);
         });
@@ -69,7 +70,8 @@ private:
                          .depth = &m_backDepth,
                          .clearColor = glm::vec4(0),
                          .clearsDepth = true},
-                        std::span(&object, 1), clip, m_camera.eyeWorld);
+                        std::span(&object, 1), clip, m_camera.eyeWorld,
+                        [](const SceneConstants& scene, const SceneObject&) { return scene; });
             table = m_table.Record(commands, m_picture);
             DrawObjects(commands,
                         {.name = "glass",
@@ -77,7 +79,13 @@ private:
                          .reads = TableReads(table, {{"back", &m_back}}),
                          .writes = {&m_picture},
                          .depth = &m_depth},
-                        std::span(&object, 1), clip, m_camera.eyeWorld);
+                        std::span(&object, 1), clip, m_camera.eyeWorld,
+                        [&](const SceneConstants& scene, const SceneObject&) {
+                            return GlassConstants{.scene = scene,
+                                                  .blurTexels = frame.values["etching"] * m_focalTexels,
+                                                  .bendTexels = frame.values["bending"] * m_focalTexels,
+                                                  .codeScale = kCodes.scale};
+                        });
         }
         AddTableStages("table", table);
         AddStage("far-side", m_back);
@@ -97,14 +105,9 @@ private:
         return objects;
     }
 
-    std::vector<SceneObject> GlassObjects(float time, const ParameterValues& values) const {
-        SceneObject object{.mesh = &m_object,
-                           .scale = kObjectScale,
-                           .turnRadians = 0.5f * time,
-                           .albedo = {0.75f, 0.95f, 0.85f},
-                           .optionA = values["etching"] * m_focalTexels,
-                           .optionB = kCodes.scale,
-                           .optionC = values["bending"] * m_focalTexels};
+    std::vector<SceneObject> GlassObjects(float time) const {
+        SceneObject object{
+            .mesh = &m_object, .scale = kObjectScale, .turnRadians = 0.5f * time, .albedo = {0.75f, 0.95f, 0.85f}};
         SceneObject ball = object, little = object;
         ball.mesh = little.mesh = &m_sphere;
         ball.offsetWorld = {-1.15f + 0.3f * std::sin(time), 0.5f, 0.3f};

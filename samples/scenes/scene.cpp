@@ -72,11 +72,8 @@ double LargestWithin(const Stand& stand, const std::vector<Ring>& rings) {
 }  // namespace
 
 SceneConstants ConstantsOf(const SceneObject& object, const glm::mat4& clipFromWorld, glm::vec3 eyeWorld) {
-    return {clipFromWorld,     object.offsetWorld,
-            object.scale,      {std::cos(object.turnRadians), std::sin(object.turnRadians)},
-            object.checkWorld, object.optionA,
-            object.albedo,     object.optionB,
-            eyeWorld,          object.optionC};
+    return {clipFromWorld, object.offsetWorld,          object.scale, object.albedo, std::cos(object.turnRadians),
+            eyeWorld,      std::sin(object.turnRadians)};
 }
 
 PipelineDesc SceneShaders(const EmbeddedShader& pixel, std::vector<Format> targets) {
@@ -90,16 +87,12 @@ PipelineDesc MattShaders() {
     return SceneShaders(scenes_shaders::Find("shaders/scene.ps"));
 }
 
-void DrawObjects(CommandList& commands, Pass first, std::span<const SceneObject> objects,
+void DrawObjects(CommandList& commands, const Pass& first, std::span<const SceneObject> objects,
                  const glm::mat4& clipFromWorld, glm::vec3 eyeWorld) {
-    for (const SceneObject& object : objects) {
-        const SceneConstants constants = ConstantsOf(object, clipFromWorld, eyeWorld);
-        first.mesh = object.mesh;
-        first.constants = ConstantBytes(constants);
-        commands.Draw(first);
-        first.clearColor.reset();
-        first.clearsDepth = false;
-    }
+    DrawObjects(commands, first, objects, clipFromWorld, eyeWorld,
+                [](const SceneConstants& scene, const SceneObject& object) {
+                    return MattConstants{scene, object.checkWorld};
+                });
 }
 
 MeshData StandingMesh(MeshData mesh, const Stand& stand) {
