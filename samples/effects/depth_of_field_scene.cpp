@@ -18,6 +18,7 @@
 #include "runtime/passes/mip_chain.h"
 #include "runtime/passes/quad_shaders.h"
 #include "runtime/transfer.h"
+#include "samples/effects/effect_shader.h"
 #include "samples/effects/effects.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/shapes.h"
@@ -84,7 +85,7 @@ private:
 };
 
 PipelineDesc LensShaders(int hidden) {
-    PipelineDesc desc = SceneShaders(fmt::format("lens_scene.ps.HIDDEN={}", hidden));
+    PipelineDesc desc = SceneShaders(EffectShader(fmt::format("lens_scene.ps.HIDDEN={}", hidden)));
     desc.cull = Cull::Back;  // a thing's own back is not what it hides
     return desc;
 }
@@ -134,7 +135,7 @@ private:
 class Mips {
 public:
     Mips(Device& device, Extent2D extent)
-        : m_look(device, QuadShaders("lens_mips.ps")),
+        : m_look(device, QuadShaders(EffectShader("lens_mips.ps"))),
           m_chain(device, extent),
           m_result(device, {extent, Format::RGBA32F, "picture"}) {}
 
@@ -159,7 +160,7 @@ private:
 class Accumulation {
 public:
     Accumulation(Device& device, Extent2D extent)
-        : m_add(device, QuadShaders("lens_views.ps")), m_sum(device, {extent, Format::RGBA32F, "sum"}) {
+        : m_add(device, QuadShaders(EffectShader("lens_views.ps"))), m_sum(device, {extent, Format::RGBA32F, "sum"}) {
         for (uint32_t i = 0; i < kAtOnce; i++)
             m_views.emplace_back(device, ImageDesc{extent, Format::RGBA32F, "view"});
     }
@@ -222,7 +223,7 @@ private:
         camera.eyeWorld.x = 0.35f * std::sin(static_cast<float>(frame.timeSeconds));
 
         const auto draw = [&](const Pipeline& pipeline, const Image& target, glm::vec2 pointWorld) {
-            const SceneObject object{.mesh = &m_scene.Triangles(), .optionA = frame.values["object"]};
+            const SceneObject object{.mesh = &m_scene.Triangles()};
             Pass pass{.name = target.Desc().name,
                       .pipeline = pipeline,
                       .reads = {{"palette", &m_scene.Palette()}},
@@ -232,7 +233,9 @@ private:
                       .clearsDepth = true};
             if (m_hidden && &target == &*m_hidden) pass.reads.push_back({"nearest", &m_nearest});
             DrawObjects(commands, pass, std::span(&object, 1), ClipFromLens(camera, extent, pointWorld, focusWorld),
-                        camera.eyeWorld);
+                        camera.eyeWorld, [&](const SceneConstants& scene, const SceneObject&) {
+                            return LensSceneConstants{scene, frame.values["object"]};
+                        });
         };
         if (m_accumulation)
             return m_accumulation->Record(commands, [&](const Image& target, uint32_t view) {

@@ -8,9 +8,11 @@
 #include <cmath>
 
 #include "hlsl/boxcar/dual_paraboloid_range.h"
+#include "hlsl/constants/effect_constants.h"
 #include "runtime/passes/dual_paraboloid.h"
 #include "runtime/passes/quad_shaders.h"
 #include "runtime/transfer.h"
+#include "samples/effects/effect_shader.h"
 #include "samples/effects/effects.h"
 #include "samples/scenes/shapes.h"
 #include "samples/scenes/surroundings.h"
@@ -32,7 +34,7 @@ PipelineDesc ReflectionShaders(std::string_view lobe) {
                               : lobe == "tent"      ? "glossy.ps.LOBE=ORDER2"
                               : lobe == "parabolic" ? "glossy.ps.LOBE=ORDER3"
                                                     : "phong.ps";
-    return SceneShaders(pixel);
+    return SceneShaders(EffectShader(pixel));
 }
 
 // Red: 1, or waves between a mirror and the full width.
@@ -52,7 +54,7 @@ Image GlossTexture(Device& device, bool isUniform) {
 
 // With tables of what rounding left over; orders 2 and 3.
 PipelineDesc FineReflectionShaders(uint32_t order) {
-    return SceneShaders(fmt::format("glossy.ps.LOBE=ORDER{}.FINE=1", order));
+    return SceneShaders(EffectShader(fmt::format("glossy.ps.LOBE=ORDER{}.FINE=1", order)));
 }
 
 // The largest box of a lobe's kernels, anywhere on the faces.
@@ -68,7 +70,7 @@ uint32_t LargestBox(uint32_t order, uint32_t side, float widthTexels) {
 // The papers' tables: floats, what is outside of the disc 0.
 struct FloatTables {
     FloatTables(Device& device, uint32_t side)
-        : mask(device, QuadShaders("dp_mask.ps")),
+        : mask(device, QuadShaders(EffectShader("dp_mask.ps"))),
           masked(device, {{side, side}, Format::RGBA32F, "masked face"}),
           front(device, {.extent = {side, side}}),
           back(device, {.extent = {side, side}}) {}
@@ -91,10 +93,17 @@ Camera CameraAt(float time) {
 
 // What a frame shows.
 struct ReflectionFrame {
-    float widthTexels = 0;  // optionA of the shaders
-    glm::vec3 albedo{1};    // or what phong.ps makes of it
+    float widthTexels = 0;  // of the lobe
+    glm::vec3 albedo{1};
     bool hasMovingObjects = false;
     bool hasGlossTexture = false;
+};
+
+// What the object's pixel shader reads of a frame, and what it must know of it.
+struct Tables {
+    std::vector<Read> reads;
+    float codeScale = 0;         // what 1 is in codes; 0 for floats
+    uint32_t largestTexels = 0;  // width of the widest box that they hold; 0 for floats
 };
 
 // The chain of both effects, which differ in the object's pixel shader.
@@ -108,7 +117,7 @@ protected:
           m_surroundings(device, inputs.environment, side),
           m_paraboloid(device, side, mapping),
           m_reflecting(device, ReflectionShaders(lobe)),
-          m_matt(device, SceneShaders("scene.ps")),
+          m_matt(device, MattShaders()),
           m_object(UploadMesh(device, StandingMesh(inputs.mesh, {CameraAt(0), inputs.extent, glm::vec3(0), 1, 0.5f}),
                               "object")),
           m_sphere(UploadMesh(device, Sphere(1, 48, 24), "sphere")),
@@ -129,6 +138,11 @@ protected:
 private:
     virtual ReflectionFrame Chosen(const ParameterValues& values) const = 0;
 
+    // The object, with the constants of its pixel shader.
+    virtual void DrawReflecting(CommandList& commands, const Pass& pass, const SceneObject& object,
+                                const glm::mat4& clipFromWorld, glm::vec3 eyeWorld, const ParameterValues& values,
+                                const Tables& tables) const = 0;
+
     const Image& Draw(CommandList& commands, const Frame& frame) override {
         const ReflectionFrame chosen = Chosen(frame.values);
         const auto time = static_cast<float>(frame.timeSeconds);
@@ -140,17 +154,17 @@ private:
 
         const Camera camera = CameraAt(time);
         const glm::mat4 clip = ClipFromWorld(camera, m_picture.Extent());
-        SceneObject object{.mesh = &m_object, .albedo = chosen.albedo, .optionA = chosen.widthTexels};
-        std::vector<Read> reads = ReadTables(commands, faces, object);
+        const SceneObject object{.mesh = &m_object, .albedo = chosen.albedo};
+        Tables tables = ReadTables(commands, faces, chosen.widthTexels);
         Pass pass{.name = "object",
                   .pipeline = m_isFine ? *m_reflectingFine : m_reflecting,
-                  .reads = std::move(reads),
+                  .reads = std::move(tables.reads),
                   .writes = {&m_picture},
                   .depth = &m_depth,
                   .clearsDepth = true};
         pass.reads.push_back({"gloss", chosen.hasGlossTexture ? &m_waves : &m_uniform});
         m_surroundings.DrawBackdrop(commands, camera, m_picture);
-        DrawObjects(commands, pass, std::span(&object, 1), clip, camera.eyeWorld);
+        DrawReflecting(commands, pass, object, clip, camera.eyeWorld, frame.values, tables);
         DrawObjects(commands, {.name = "around", .pipeline = m_matt, .writes = {&m_picture}, .depth = &m_depth},
                     around, clip, camera.eyeWorld);
         return m_picture;
@@ -171,15 +185,12 @@ private:
         return objects;
     }
 
-    // Builds the tables; their scale goes into the object's options.
-    std::vector<Read> ReadTables(CommandList& commands, const DualParaboloidFaces& faces, SceneObject& object) {
+    Tables ReadTables(CommandList& commands, const DualParaboloidFaces& faces, float widthTexels) {
         if (m_floats)
-            return {{"frontTable", &m_floats->Record(commands, m_floats->front, *faces.front)},
-                    {"backTable", &m_floats->Record(commands, m_floats->back, *faces.back)}};
-        const uint32_t largestTexels = LargestBox(m_order, m_side, object.optionA);
+            return {{{"frontTable", &m_floats->Record(commands, m_floats->front, *faces.front)},
+                     {"backTable", &m_floats->Record(commands, m_floats->back, *faces.back)}}};
+        const uint32_t largestTexels = LargestBox(m_order, m_side, widthTexels);
         const DualParaboloidSums sums = m_tables->Record(commands, faces, largestTexels);
-        object.optionB = sums.codeScale;
-        object.optionC = static_cast<float>(largestTexels);
         std::vector<Read> reads{{"frontLow", sums.tables.front.low},
                                 {"frontHigh", sums.tables.front.high},
                                 {"backLow", sums.tables.back.low},
@@ -187,7 +198,7 @@ private:
         AddTableStages("front-table", sums.tables.front);
         AddTableStages("back-table", sums.tables.back);
         m_isFine = sums.fine.has_value();
-        if (!m_isFine) return reads;
+        if (!m_isFine) return {std::move(reads), sums.codeScale, largestTexels};
         if (!m_reflectingFine) m_reflectingFine.emplace(m_device, FineReflectionShaders(m_order));
         AddTableStages("front-table-fine", sums.fine->front);
         AddTableStages("back-table-fine", sums.fine->back);
@@ -195,7 +206,7 @@ private:
                                    {"fineFrontHigh", sums.fine->front.high},
                                    {"fineBackLow", sums.fine->back.low},
                                    {"fineBackHigh", sums.fine->back.high}});
-        return reads;
+        return {std::move(reads), sums.codeScale, largestTexels};
     }
 
     Device& m_device;
@@ -224,6 +235,18 @@ private:
                 .hasMovingObjects = values.Choice("source") == "scene",
                 .hasGlossTexture = values.Choice("gloss") == "texture"};
     }
+
+    void DrawReflecting(CommandList& commands, const Pass& pass, const SceneObject& object,
+                        const glm::mat4& clipFromWorld, glm::vec3 eyeWorld, const ParameterValues& values,
+                        const Tables& tables) const override {
+        DrawObjects(commands, pass, std::span(&object, 1), clipFromWorld, eyeWorld,
+                    [&](const SceneConstants& scene, const SceneObject&) {
+                        return GlossyConstants{.scene = scene,
+                                               .widthTexels = values["width"],
+                                               .codeScale = tables.codeScale,
+                                               .largestTexels = static_cast<int>(tables.largestTexels)};
+                    });
+    }
 };
 
 class PhongEnvironment : public EnvironmentReflection {
@@ -233,8 +256,19 @@ public:
                                 DPMapping::Arithmetic) {}
 
 private:
-    ReflectionFrame Chosen(const ParameterValues& values) const override {
-        return {.albedo = {values["exponent"], values["shine"], values["boxes"]}};
+    ReflectionFrame Chosen(const ParameterValues&) const override { return {.albedo = {0.62f, 0.30f, 0.20f}}; }
+
+    void DrawReflecting(CommandList& commands, const Pass& pass, const SceneObject& object,
+                        const glm::mat4& clipFromWorld, glm::vec3 eyeWorld, const ParameterValues& values,
+                        const Tables& tables) const override {
+        DrawObjects(commands, pass, std::span(&object, 1), clipFromWorld, eyeWorld,
+                    [&](const SceneConstants& scene, const SceneObject&) {
+                        return PhongConstants{.scene = scene,
+                                              .exponent = values["exponent"],
+                                              .shine = values["shine"],
+                                              .boxes = values.Whole("boxes"),
+                                              .codeScale = tables.codeScale};
+                    });
     }
 };
 

@@ -15,6 +15,7 @@
 #include "hlsl/constants/isosurface_constants.h"
 #include "runtime/passes/quad_shaders.h"
 #include "runtime/transfer.h"
+#include "samples/effects/effect_shader.h"
 #include "samples/effects/effects.h"
 #include "tools/base/error.h"
 
@@ -60,8 +61,8 @@ struct Ball {
 
 struct FilterPipelines {
     FilterPipelines(Device& device, const std::string& filter)
-        : march(device, QuadShaders("isosurface_march.ps.FILTER=" + filter)),
-          shade(device, QuadShaders("isosurface_shade.ps.FILTER=" + filter)) {}
+        : march(device, QuadShaders(EffectShader("isosurface_march.ps.FILTER=" + filter))),
+          shade(device, QuadShaders(EffectShader("isosurface_shade.ps.FILTER=" + filter))) {}
 
     Pipeline march, shade;
 };
@@ -79,7 +80,7 @@ public:
           m_tricubic(device, "TRICUBIC"),
           m_hits(device, {inputs.extent, Format::RGBA32F, "points"}),
           m_picture(device, {inputs.extent, Format::RGBA32F, "picture"}) {
-        const Pipeline pipeline(device, QuadShaders("isosurface_blocks.ps"));
+        const Pipeline pipeline(device, QuadShaders(EffectShader("isosurface_blocks.ps")));
         const IsosurfaceBlocksConstants constants{static_cast<int>(m_grid.across)};
         CommandList commands(device);
         commands.Draw({.name = "blocks",

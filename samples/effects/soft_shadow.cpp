@@ -10,6 +10,7 @@
 #include "hlsl/constants/effect_constants.h"
 #include "runtime/passes/quad_shaders.h"
 #include "runtime/passes/summed_area_table.h"
+#include "samples/effects/effect_shader.h"
 #include "samples/effects/effects.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/shapes.h"
@@ -47,11 +48,11 @@ public:
           m_sphere(UploadMesh(device, Sphere(1, 64, 32), "sphere")),
           m_post(UploadMesh(device, Post(), "post")),
           m_ground(UploadMesh(device, Ground(40, 1), "ground")),
-          m_drawDepth(device, SceneShaders("shadow_depth.ps")),
-          m_drawMoments(device, QuadShaders("shadow_moments.ps", {Format::RGBA32UI, Format::RGBA32UI})),
-          m_drawSurfaces(device, SceneShaders("shadow_surface.ps", std::vector(3, Format::RGBA32F))),
-          m_variance(device, QuadShaders("soft_shadow.ps.HARD=0")),
-          m_hard(device, QuadShaders("soft_shadow.ps.HARD=1")),
+          m_drawDepth(device, SceneShaders(EffectShader("shadow_depth.ps"))),
+          m_drawMoments(device, QuadShaders(EffectShader("shadow_moments.ps"), {Format::RGBA32UI, Format::RGBA32UI})),
+          m_drawSurfaces(device, SceneShaders(EffectShader("shadow_surface.ps"), std::vector(3, Format::RGBA32F))),
+          m_variance(device, QuadShaders(EffectShader("soft_shadow.ps.HARD=0"))),
+          m_hard(device, QuadShaders(EffectShader("soft_shadow.ps.HARD=1"))),
           m_map(device, {MapExtent(values), Format::RGBA32F, "depth from the lamp"}),
           m_mapDepth(device, {MapExtent(values), Format::Depth32F, "lamp's depth"}),
           m_low(device, {MapExtent(values), Format::RGBA32UI, "moments"}),
@@ -75,11 +76,7 @@ private:
             .nearDepth = kLampDistance - kLampReach,
             .farDepth = kLampDistance + 2 * kLampReach};
         const float reach = lamp.farDepth - lamp.nearDepth;
-        std::vector<SceneObject> objects = Objects(time);
-        for (SceneObject& object : objects) {
-            object.optionA = lamp.nearDepth;
-            object.optionB = reach;
-        }
+        const std::vector<SceneObject> objects = Objects(time);
 
         DrawObjects(commands,
                     {.name = "depth from the lamp",
@@ -88,7 +85,10 @@ private:
                      .depth = &m_mapDepth,
                      .clearColor = glm::vec4(1),
                      .clearsDepth = true},
-                    objects, ClipFromWorld(lamp, m_map.Extent()), lamp.eyeWorld);
+                    objects, ClipFromWorld(lamp, m_map.Extent()), lamp.eyeWorld,
+                    [&](const SceneConstants& scene, const SceneObject&) {
+                        return ShadowDepthConstants{scene, lamp.nearDepth, reach};
+                    });
         AddStage("depth", m_map);
         DrawObjects(commands,
                     {.name = "surfaces",

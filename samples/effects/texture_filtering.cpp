@@ -12,6 +12,7 @@
 #include "runtime/passes/mip_chain.h"
 #include "runtime/passes/quad_shaders.h"
 #include "runtime/ping_pong.h"
+#include "samples/effects/effect_shader.h"
 #include "samples/effects/effects.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/shapes.h"
@@ -49,7 +50,7 @@ MeshData Ceiling() {
 // Targets of twice the picture's sides, and what has been added up of them.
 struct Samples {
     Samples(Device& device, Extent2D extent)
-        : add(device, QuadShaders("texture_samples.ps")),
+        : add(device, QuadShaders(EffectShader("texture_samples.ps"))),
           samples(device, {{2 * extent.widthTexels, 2 * extent.heightTexels}, Format::RGBA32F, "samples"}),
           depth(device, {samples.Extent(), Format::Depth32F, "samples' depth"}),
           sum(device, {extent, Format::RGBA32F, "sum of samples"}) {}
@@ -66,15 +67,15 @@ public:
           m_ellipsoid(UploadMesh(device, Ellipsoid(), "ellipsoid")),
           m_floor(UploadMesh(device, Ground(kPlaneLength, 1), "floor")),
           m_ceiling(UploadMesh(device, Ceiling(), "ceiling")),
-          m_drawPattern(device, QuadShaders("texture_pattern.ps")),
-          m_nearest(device, SceneShaders("texture_sampled.ps.SAMPLER=nearestRepeat")),
-          m_linear(device, SceneShaders("texture_sampled.ps.SAMPLER=linearRepeat")),
-          m_bspline(device, SceneShaders("texture_bspline.ps")),
-          m_anisotropic(device, SceneShaders("texture_sampled.ps.SAMPLER=anisotropicRepeat")),
-          m_fromTable(device, SceneShaders("texture_table.ps")),
+          m_drawPattern(device, QuadShaders(EffectShader("texture_pattern.ps"))),
+          m_nearest(device, SceneShaders(EffectShader("texture_sampled.ps.SAMPLER=nearestRepeat"))),
+          m_linear(device, SceneShaders(EffectShader("texture_sampled.ps.SAMPLER=linearRepeat"))),
+          m_bspline(device, SceneShaders(EffectShader("texture_bspline.ps"))),
+          m_anisotropic(device, SceneShaders(EffectShader("texture_sampled.ps.SAMPLER=anisotropicRepeat"))),
+          m_fromTable(device, SceneShaders(EffectShader("texture_table.ps"))),
           m_pattern(device, {kTexture, Format::RGBA32F, "pattern"}),
           m_mips(device, kTexture),
-          m_filteredMips(device, kTexture, "texture_halve.ps"),
+          m_filteredMips(device, kTexture, QuadShaders(EffectShader("texture_halve.ps"))),
           m_table(device, {.extent = kTexture, .codes = {.scale = 255, .largest = 255}}),
           m_picture(device, {inputs.extent, Format::RGBA32F, "picture"}),
           m_depth(device, {inputs.extent, Format::Depth32F, "depth"}) {}
@@ -153,14 +154,12 @@ private:
         }
         std::vector<SceneObject> objects;
         if (isEllipsoid)
-            objects = {
-                {.mesh = &m_ellipsoid, .turnRadians = 0.2f * time, .optionA = repeats, .optionB = repeats / 2}};
+            objects = {{.mesh = &m_ellipsoid, .turnRadians = 0.2f * time}};
         else
             for (const float side : {-1.0f, 1.0f})
-                objects.push_back({.mesh = side < 0 ? &m_floor : &m_ceiling,
-                                   .offsetWorld = {0, side, 0},
-                                   .optionA = kPlaneRepeats * repeats,
-                                   .optionB = kPlaneRepeats * repeats});
+                objects.push_back({.mesh = side < 0 ? &m_floor : &m_ceiling, .offsetWorld = {0, side, 0}});
+        const glm::vec2 repeatsOfMesh =
+            isEllipsoid ? glm::vec2(repeats, repeats / 2) : glm::vec2(kPlaneRepeats * repeats);
         const Extent2D extent = target.Extent();
         const glm::vec2 offsetClip = 2.0f * offsetTexels / glm::vec2(extent.widthTexels, extent.heightTexels);
         const glm::mat4 moved = glm::translate(glm::mat4(1), glm::vec3(offsetClip, 0));
@@ -172,7 +171,10 @@ private:
                      .depth = &depth,
                      .clearColor = glm::vec4(kSky, 0),
                      .clearsDepth = true},
-                    objects, moved * ClipFromWorld(camera, m_picture.Extent()), camera.eyeWorld);
+                    objects, moved * ClipFromWorld(camera, m_picture.Extent()), camera.eyeWorld,
+                    [&](const SceneConstants& scene, const SceneObject&) {
+                        return TexturedConstants{scene, repeatsOfMesh};
+                    });
     }
 
     Device& m_device;
