@@ -53,6 +53,9 @@ struct GlassConstants {
     float codeScale;   // what 1 is in the table's codes
 };
 
+#define TEXTURE_SIDE_TEXELS 256
+#define TEXTURE_WHITE_CODES 255  // what 1 is in the codes of the texture's table
+
 // texture_sampled.ps, texture_bspline.ps, texture_table.ps
 struct TexturedConstants {
     SceneConstants scene;

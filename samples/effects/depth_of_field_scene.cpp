@@ -282,37 +282,29 @@ private:
 }  // namespace
 
 EffectInfo DepthOfFieldInfo() {
-    return {.name = "depth-of-field",
-            .what = "What is before and behind the focus of a lens, blurred by its distance",
-            .paper = "Hensley 2005, sect. 5.4, Fig. 9; layers: beyond the papers",
-            .lookFor =
-                "layered: the sharp object keeps its light to itself, and what is near has soft rims; single: "
-                "the sharp object glows into the background",
-            .parameters = {{.name = "method",
-                            .what = "How the picture is made",
-                            .unit = "",
-                            .choices = {"layered", "single", "mips", "noise", "accumulation", "sharp"},
-                            .isFixed = true},
-                           {"focus", "Depth of what is sharp", "world units", 1.5f, 40, 5},
-                           {"lens", "Diameter of the lens", "world units", 0, 2, 0.2f},
-                           {"object", "Brightness of the object in the middle", "", 0, 2, 1},
-                           {.name = "layers",
-                            .what = "Layers of depth on either side of the focus",
-                            .unit = "",
-                            .minimum = 1,
-                            .maximum = 16,
-                            .initial = 7,
-                            .isWhole = true},
-                           {.name = "boxes",
-                            .what = "Boxes that stand for a circle",
-                            .unit = "",
-                            .minimum = 1,
-                            .maximum = 32,
-                            .initial = 8,
-                            .isWhole = true,
-                            .isFixed = true}},
-            .takesMesh = true,
-            .make = MakeEffect<DepthOfFieldScene>};
+    return {
+        .name = "depth-of-field",
+        .what = "What lies in front of and behind the focus of a lens, blurred by its distance from it",
+        .paper = "Hensley 2005, sect. 5.4, Fig. 9; layers: beyond the papers",
+        .lookFor =
+            "layered: the sharp object keeps its light to itself, and what is near has soft edges; single: "
+            "the sharp object glows into the background",
+        .parameters = {Parameter::Choice("method", "How the picture is made",
+                                         {"layered", "single", "mips", "noise", "accumulation", "sharp"}, "layered")
+                           .Fixed(),
+                       Parameter::Number("focus", "Depth at which things are sharp",
+                                         {.minimum = 1.5f, .maximum = 40, .initial = 5, .unit = "world units"}),
+                       Parameter::Number("lens", "Diameter of the lens",
+                                         {.maximum = 2, .initial = 0.2f, .unit = "world units"}),
+                       Parameter::Number("object", "Brightness of the object in the middle",
+                                         {.maximum = 2, .initial = 1}),
+                       Parameter::Whole("layers", "Layers of depth on either side of the focus",
+                                        {.minimum = 1, .maximum = 16, .initial = 7}),
+                       Parameter::Whole("boxes", "Number of boxes that stand for a circle",
+                                        {.minimum = 1, .maximum = 32, .initial = 8})
+                           .Fixed()},
+        .takesMesh = true,
+        .make = MakeEffect<DepthOfFieldScene>};
 }
 
 }  // namespace boxcar

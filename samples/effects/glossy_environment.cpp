@@ -23,19 +23,18 @@ namespace {
 constexpr float kBrightestObject = 2;
 constexpr float kLargestWidth = 128;
 
-uint32_t OrderOf(std::string_view lobe) {
-    return lobe == "tent" ? 2 : lobe == "parabolic" ? 3 : 1;
-}
+// How an object reflects.
+struct Reflection {
+    const char* pixelShader;
+    uint32_t order = 1;        // of the tables
+    bool readsFloats = false;  // the papers' tables
+};
 
-PipelineDesc ReflectionShaders(std::string_view lobe) {
-    const std::string pixel = lobe == "papers"      ? "glossy_papers.ps"
-                              : lobe == "box"       ? "glossy.ps.LOBE=BOX"
-                              : lobe == "stack"     ? "glossy.ps.LOBE=STACK"
-                              : lobe == "tent"      ? "glossy.ps.LOBE=ORDER2"
-                              : lobe == "parabolic" ? "glossy.ps.LOBE=ORDER3"
-                                                    : "phong.ps";
-    return SceneShaders(EffectShader(pixel));
-}
+constexpr Word<Reflection> kLobes[] = {{"box", {"glossy.ps.LOBE=BOX"}},
+                                       {"stack", {"glossy.ps.LOBE=STACK"}},
+                                       {"tent", {.pixelShader = "glossy.ps.LOBE=ORDER2", .order = 2}},
+                                       {"parabolic", {.pixelShader = "glossy.ps.LOBE=ORDER3", .order = 3}},
+                                       {"papers", {.pixelShader = "glossy_papers.ps", .readsFloats = true}}};
 
 // Red: 1, or waves between a mirror and the full width.
 Image GlossTexture(Device& device, bool isUniform) {
@@ -109,14 +108,14 @@ struct Tables {
 // The chain of both effects, which differ in the object's pixel shader.
 class EnvironmentReflection : public Effect {
 protected:
-    EnvironmentReflection(Device& device, const EffectInputs& inputs, uint32_t side, std::string_view lobe,
+    EnvironmentReflection(Device& device, const EffectInputs& inputs, uint32_t side, const Reflection& reflection,
                           DPMapping mapping)
         : m_device(device),
           m_side(side),
-          m_order(OrderOf(lobe)),
+          m_order(reflection.order),
           m_surroundings(device, inputs.environment, side),
           m_paraboloid(device, side, mapping),
-          m_reflecting(device, ReflectionShaders(lobe)),
+          m_reflecting(device, SceneShaders(EffectShader(reflection.pixelShader))),
           m_matt(device, MattShaders()),
           m_object(UploadMesh(device, StandingMesh(inputs.mesh, {CameraAt(0), inputs.extent, glm::vec3(0), 1, 0.5f}),
                               "object")),
@@ -125,7 +124,7 @@ protected:
           m_waves(GlossTexture(device, false)),
           m_picture(device, {inputs.extent, Format::RGBA32F, "picture"}),
           m_depth(device, {inputs.extent, Format::Depth32F, "depth"}) {
-        if (lobe == "papers")
+        if (reflection.readsFloats)
             m_floats.emplace(device, side);
         else
             m_tables.emplace(device, DualParaboloidTablesDesc{
@@ -225,7 +224,8 @@ private:
 class GlossyEnvironment : public EnvironmentReflection {
 public:
     GlossyEnvironment(Device& device, const EffectInputs& inputs, const ParameterValues& values)
-        : EnvironmentReflection(device, inputs, static_cast<uint32_t>(values.Whole("face")), values.Choice("lobe"),
+        : EnvironmentReflection(device, inputs, static_cast<uint32_t>(values.Whole("face")),
+                                ValueOf(kLobes, values.Choice("lobe")),
                                 values.Choice("mapping") == "lookup" ? DPMapping::Lookup : DPMapping::Arithmetic) {}
 
 private:
@@ -252,7 +252,7 @@ private:
 class PhongEnvironment : public EnvironmentReflection {
 public:
     PhongEnvironment(Device& device, const EffectInputs& inputs, const ParameterValues& values)
-        : EnvironmentReflection(device, inputs, static_cast<uint32_t>(values.Whole("face")), "phong",
+        : EnvironmentReflection(device, inputs, static_cast<uint32_t>(values.Whole("face")), {"phong.ps"},
                                 DPMapping::Arithmetic) {}
 
 private:
@@ -272,7 +272,11 @@ private:
     }
 };
 
-constexpr Parameter kFace{"face", "Side of a face of the paraboloid map", "texels", 16, 1024, 256, {}, true, true};
+Parameter FaceParameter() {
+    return Parameter::Whole("face", "Side of a face of the paraboloid map",
+                            {.minimum = 16, .maximum = 1024, .initial = 256, .unit = "texels"})
+        .Fixed();
+}
 
 }  // namespace
 
@@ -282,35 +286,22 @@ EffectInfo GlossyEnvironmentInfo() {
         .what = "An object that reflects its surroundings, blurred by a lobe of any width",
         .paper = "Hensley 2005, sect. 5.1, Figs 5 and 6; Scheuermann 2005",
         .lookFor = "the reflection stays smooth at every width and over the seam of the two faces",
-        .parameters = {{"width", "Width of the box at a face's middle; at the most 45 degrees to either side",
-                        "texels", 1, kLargestWidth, 24},
-                       {"lobe",
-                        "Kernel: one box, four boxes, a tent, a parabola, or the papers' box of one size in floats",
-                        "",
-                        0,
-                        0,
-                        1,
-                        {"box", "stack", "tent", "parabolic", "papers"},
-                        false,
-                        true},
-                       {"gloss", "One width everywhere, or from a texture", "", 0, 0, 0, {"uniform", "texture"}},
-                       {"source",
-                        "The environment alone, or with objects that move in it",
-                        "",
-                        0,
-                        0,
-                        0,
-                        {"environment", "scene"}},
-                       {"mapping",
-                        "Directions computed, or from a lookup texture",
-                        "",
-                        0,
-                        0,
-                        0,
-                        {"arithmetic", "lookup"},
-                        false,
-                        true},
-                       kFace},
+        .parameters =
+            {Parameter::Number("width", "Width of the box at the middle of a face; at most 45 degrees to either side",
+                               {.minimum = 1, .maximum = kLargestWidth, .initial = 24, .unit = "texels"}),
+             Parameter::Choice(
+                 "lobe",
+                 "Kernel: one box, four boxes, a tent, a parabola, or the papers' box of one size, summed in floats",
+                 kLobes, "stack")
+                 .Fixed(),
+             Parameter::Choice("gloss", "One width everywhere, or widths from a texture", {"uniform", "texture"},
+                               "uniform"),
+             Parameter::Choice("source", "The environment alone, or with objects moving in it",
+                               {"environment", "scene"}, "environment"),
+             Parameter::Choice("mapping", "Directions computed, or from a lookup texture", {"arithmetic", "lookup"},
+                               "arithmetic")
+                 .Fixed(),
+             FaceParameter()},
         .takesEnvironment = true,
         .takesMesh = true,
         .isHighRange = true,
@@ -318,18 +309,21 @@ EffectInfo GlossyEnvironmentInfo() {
 }
 
 EffectInfo PhongEnvironmentInfo() {
-    return {.name = "phong-environment",
-            .what = "The Phong model under light from all around",
-            .paper = "Hensley 2005, sect. 5.1.2, Fig. 7",
-            .lookFor = "matt light comes from boxes round the normal, the highlight from boxes round the reflection",
-            .parameters = {{"exponent", "Of the highlight's lobe cos^n", "", 7, 1000, 60},
-                           {"shine", "The highlight's share of the light", "", 0, 1, 0.35f},
-                           {"boxes", "In each of the two stacks", "", 1, 6, 2, {}, true},
-                           kFace},
-            .takesEnvironment = true,
-            .takesMesh = true,
-            .isHighRange = true,
-            .make = MakeEffect<PhongEnvironment>};
+    return {
+        .name = "phong-environment",
+        .what = "The Phong model under light from all around",
+        .paper = "Hensley 2005, sect. 5.1.2, Fig. 7",
+        .lookFor = "diffuse light comes from boxes around the normal, the highlight from boxes around the reflection",
+        .parameters = {Parameter::Number("exponent", "Exponent n of the highlight's lobe, cos^n",
+                                         {.minimum = 7, .maximum = 1000, .initial = 60}),
+                       Parameter::Number("shine", "The highlight's share of the light", {.initial = 0.35f}),
+                       Parameter::Whole("boxes", "Number of boxes in each of the two stacks",
+                                        {.minimum = 1, .maximum = 6, .initial = 2}),
+                       FaceParameter()},
+        .takesEnvironment = true,
+        .takesMesh = true,
+        .isHighRange = true,
+        .make = MakeEffect<PhongEnvironment>};
 }
 
 }  // namespace boxcar

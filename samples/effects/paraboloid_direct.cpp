@@ -82,16 +82,20 @@ private:
 }  // namespace
 
 EffectInfo ParaboloidDirectInfo() {
-    return {
-        .name = "paraboloid-direct",
-        .what = "A scene drawn straight on a paraboloid (left), and by way of a cube map (right)",
-        .paper = "Scheuermann 2005; Hensley 2005, sect. 5.1.1",
-        .lookFor = "straight rasterization bends the walls of large triangles and tears them; small ones come right",
-        .parameters =
-            {{"subdivisions", "How often each triangle of the walls is cut in four", "", 0, 6, 1, {}, true, true},
-             {"show", "Which face", "", 0, 0, 0, {"front", "back"}},
-             {"face", "Side of a face", "texels", 16, 1024, 512, {}, true, true}},
-        .make = MakeEffect<ParaboloidDirect>};
+    return {.name = "paraboloid-direct",
+            .what = "A scene drawn straight onto a paraboloid (left) and by way of a cube map (right)",
+            .paper = "Scheuermann 2005; Hensley 2005, sect. 5.1.1",
+            .lookFor =
+                "straight rasterization bends the walls of large triangles and tears them; small ones come out right",
+            .parameters = {Parameter::Whole("subdivisions",
+                                            "How many times each triangle of the walls is split into four",
+                                            {.maximum = 6, .initial = 1})
+                               .Fixed(),
+                           Parameter::Choice("show", "Which face is shown", {"front", "back"}, "front"),
+                           Parameter::Whole("face", "Side of a face",
+                                            {.minimum = 16, .maximum = 1024, .initial = 512, .unit = "texels"})
+                               .Fixed()},
+            .make = MakeEffect<ParaboloidDirect>};
 }
 
 }  // namespace boxcar

@@ -104,11 +104,13 @@ private:
 
 EffectInfo PlanarReflectionInfo() {
     return {.name = "planar-reflection",
-            .what = "Objects on a glossy floor, reflected the more blurred the higher they are",
+            .what = "Objects on a glossy floor; the higher they are, the blurrier their reflections",
             .paper = "Hensley 2005, sect. 5.2, Fig. 1",
-            .lookFor = "the reflection is sharp where an object touches the floor and dissolves away from it",
-            .parameters = {{"roughness", "Width of a ray's cone over its length", "", 0, kLargestRoughness, 0.12f},
-                           {"mirror", "Share that the floor reflects at a right angle", "", 0, 1, 0.35f}},
+            .lookFor = "the reflection is sharp where an object touches the floor and dissolves farther away",
+            .parameters = {Parameter::Number("roughness", "Width of a ray's cone, divided by its length",
+                                             {.maximum = kLargestRoughness, .initial = 0.12f}),
+                           Parameter::Number("mirror", "Share of the light that the floor reflects straight on",
+                                             {.initial = 0.35f})},
             .takesMesh = true,
             .make = MakeEffect<PlanarReflection>};
 }

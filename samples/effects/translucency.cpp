@@ -135,16 +135,19 @@ private:
 }  // namespace
 
 EffectInfo TranslucencyInfo() {
-    return {
-        .name = "translucency",
-        .what = "Objects of etched glass, before one another",
-        .paper = "Hensley 2005, sect. 5.3, Fig. 8",
-        .lookFor = "what is behind is sharp through thin glass, blurred through thick, and through two still more",
-        .parameters = {{"etching", "Width of the blur over the thickness of the glass", "", 0, kLargestEtching,
-                        0.12f},
-                       {"bending", "How far the glass displaces what is behind it", "", 0, 1, 0.06f}},
-        .takesMesh = true,
-        .make = MakeEffect<Translucency>};
+    return {.name = "translucency",
+            .what = "Objects of etched glass, one in front of another",
+            .paper = "Hensley 2005, sect. 5.3, Fig. 8",
+            .lookFor =
+                "what is behind looks sharp through thin glass, blurred through thick glass, and blurrier still "
+                "through two"
+                " objects",
+            .parameters = {Parameter::Number("etching", "Width of the blur, divided by the thickness of the glass",
+                                             {.maximum = kLargestEtching, .initial = 0.12f}),
+                           Parameter::Number("bending", "How far the glass displaces what is behind it",
+                                             {.initial = 0.06f})},
+            .takesMesh = true,
+            .make = MakeEffect<Translucency>};
 }
 
 }  // namespace boxcar
