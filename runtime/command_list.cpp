@@ -11,7 +11,6 @@ namespace boxcar {
 namespace {
 
 constexpr uint32_t kSetsPerPool = 64;
-constexpr uint32_t kMaxTimedPasses = 512;
 
 ImageState StateFor(ImageUse use) {
     using Layout = vk::ImageLayout;
@@ -136,11 +135,7 @@ CommandList::CommandList(Device& device, Timing timing) : m_impl(new Impl) {
     c.own = TakeCommands(*c.device);
     c.commands = *c.own;
     c.own.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
-    if (timing == Timing::On && c.device->nanosecondsPerTick > 0) {
-        c.timer = vk::raii::QueryPool(c.device->device, {{}, vk::QueryType::eTimestamp, 2 * kMaxTimedPasses});
-        c.device->Name(c.timer, "boxcar timer");
-        c.own.resetQueryPool(*c.timer, 0, 2 * kMaxTimedPasses);
-    }
+    if (timing == Timing::On && c.device->nanosecondsPerTick > 0) c.timer.emplace(*c.device);
 }
 
 CommandList::CommandList(Device& device, VkCommandBuffer wrapped) : m_impl(new Impl) {
@@ -194,6 +189,18 @@ std::vector<vk::DescriptorSet> CommandList::Impl::AllocateSets(const Pipeline::I
     throw Error("the device has no memory left for descriptors");
 }
 
+void CommandList::Impl::BeginPass(std::string_view name) {
+    const std::string label(name);
+    if (device->hasDebugNames)
+        commands.beginDebugUtilsLabelEXT(vk::DebugUtilsLabelEXT(label.c_str()), *device->device.getDispatcher());
+    if (timer) timer->Begin(commands, label);
+}
+
+void CommandList::Impl::EndPass() {
+    if (timer) timer->End(commands);
+    if (device->hasDebugNames) commands.endDebugUtilsLabelEXT(*device->device.getDispatcher());
+}
+
 void CommandList::Draw(const Pass& pass) {
     Impl& c = *m_impl;
     const Pipeline::Impl& p = pass.pipeline.impl();
@@ -240,13 +247,7 @@ void CommandList::Draw(const Pass& pass) {
     const vk::Viewport viewport(0, static_cast<float>(height), static_cast<float>(width), -static_cast<float>(height),
                                 0, 1);
 
-    const std::string passName(pass.name);
-    if (c.device->hasDebugNames)
-        c.commands.beginDebugUtilsLabelEXT(vk::DebugUtilsLabelEXT(passName.c_str()), dispatch);
-    const auto query = static_cast<uint32_t>(2 * c.timedNames.size());
-    const bool timed = *c.timer && query + 1 < 2 * kMaxTimedPasses;
-    if (timed) c.commands.writeTimestamp2(vk::PipelineStageFlagBits2::eAllCommands, *c.timer, query, dispatch);
-
+    c.BeginPass(pass.name);
     c.commands.beginRendering(vk::RenderingInfo({}, rect, 1, 0, attachments, pass.depth ? &depth : nullptr),
                               dispatch);
     c.commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *p.pipeline, dispatch);
@@ -265,12 +266,7 @@ void CommandList::Draw(const Pass& pass) {
         c.commands.draw(4, 1, 0, 0, dispatch);
     }
     c.commands.endRendering(dispatch);
-
-    if (timed) {
-        c.commands.writeTimestamp2(vk::PipelineStageFlagBits2::eAllCommands, *c.timer, query + 1, dispatch);
-        c.timedNames.push_back(passName);
-    }
-    if (c.device->hasDebugNames) c.commands.endDebugUtilsLabelEXT(dispatch);
+    c.EndPass();
 }
 
 void CommandList::Use(const Image& image, ImageUse use) {
@@ -315,16 +311,7 @@ void CommandList::SubmitAndWait() {
     if (c.device->device.waitForFences(*fence, true, std::numeric_limits<uint64_t>::max()) != vk::Result::eSuccess)
         throw Error("the device '{}' did not finish", c.device->info.name);
     c.isPending = false;
-
-    if (c.timedNames.empty()) return;
-    const size_t count = 2 * c.timedNames.size();
-    const auto [result, ticks] = c.timer.getResults<uint64_t>(
-        0, static_cast<uint32_t>(count), count * sizeof(uint64_t), sizeof(uint64_t), vk::QueryResultFlagBits::e64);
-    if (result != vk::Result::eSuccess) return;
-    for (size_t i = 0; i < c.timedNames.size(); i++) {
-        const auto elapsed = static_cast<double>(ticks[2 * i + 1] - ticks[2 * i]);
-        c.times.push_back({c.timedNames[i], elapsed * c.device->nanosecondsPerTick * 1e-6});
-    }
+    if (c.timer) c.times = c.timer->Times();
 }
 
 std::vector<PassTime> CommandList::PassTimes() const {

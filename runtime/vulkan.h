@@ -133,17 +133,40 @@ struct Pipeline::Impl {
     vk::raii::Pipeline pipeline = nullptr;
 };
 
+// Measures passes with pairs of timestamps, in as many pools of them as the passes need.
+class PassTimer {
+public:
+    // `device` has a timer.
+    explicit PassTimer(Device::Impl& device) : m_device(&device) {}
+
+    // Both are recorded outside of rendering.
+    void Begin(vk::CommandBuffer commands, const std::string& pass);
+    void End(vk::CommandBuffer commands) const;
+
+    // Of all passes, after their work is done.
+    std::vector<PassTime> Times() const;
+
+private:
+    Device::Impl* m_device;
+    std::vector<vk::raii::QueryPool> m_pools;
+    std::vector<std::string> m_names;
+};
+
 struct CommandList::Impl {
     Device::Impl* device = nullptr;
     vk::raii::CommandBuffer own = nullptr;
     bool isPending = false;  // submitted, and not known to be done
     vk::CommandBuffer commands;
     std::vector<vk::raii::DescriptorPool> descriptorPools;
-    vk::raii::QueryPool timer = nullptr;
-    std::vector<std::string> timedNames;
+    std::optional<PassTimer> timer;
     std::vector<PassTime> times;
 
     ~Impl();
+
+    // Around the commands of a pass: its label for debuggers, and its timer.
+    void BeginPass(std::string_view name);
+    void EndPass();
+
     void Barrier(const Image& image, ImageUse use);
     std::vector<vk::DescriptorSet> AllocateSets(const Pipeline::Impl& pipeline);
 };
