@@ -191,14 +191,14 @@ std::vector<vk::DescriptorSet> CommandList::Impl::AllocateSets(const Pipeline::I
 
 void CommandList::Impl::BeginPass(std::string_view name) {
     const std::string label(name);
-    if (device->hasDebugNames)
+    if (device->hasDebugUtils)
         commands.beginDebugUtilsLabelEXT(vk::DebugUtilsLabelEXT(label.c_str()), *device->device.getDispatcher());
     if (timer) timer->Begin(commands, label);
 }
 
 void CommandList::Impl::EndPass() {
     if (timer) timer->End(commands);
-    if (device->hasDebugNames) commands.endDebugUtilsLabelEXT(*device->device.getDispatcher());
+    if (device->hasDebugUtils) commands.endDebugUtilsLabelEXT(*device->device.getDispatcher());
 }
 
 void CommandList::Draw(const Pass& pass) {

@@ -26,7 +26,8 @@ struct Device::Impl {
     vk::raii::Device device = nullptr;
     vk::raii::Queue queue = nullptr;
     uint32_t queueFamily = 0;
-    bool hasDebugNames = false;
+    bool hasDebugUtils = false;
+    bool hasSamplerAnisotropy = false;
     float maxAnisotropy = 1;  // of samplers; 1 where the device was made without
 
     DeviceInfo info;
@@ -55,7 +56,7 @@ struct Device::Impl {
     void Name(const Handle& handle, const std::string& name) const {
         if constexpr (requires { handle.getDispatcher(); }) {  // vk::raii
             Name(*handle, name);
-        } else if (hasDebugNames && !name.empty()) {
+        } else if (hasDebugUtils && !name.empty()) {
             const auto number = reinterpret_cast<uint64_t>(static_cast<typename Handle::CType>(handle));
             device.setDebugUtilsObjectNameEXT({Handle::objectType, number, name.c_str()});
         }
