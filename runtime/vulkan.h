@@ -169,10 +169,19 @@ struct CommandList::Impl {
     void EndPass();
 
     void Barrier(const Image& image, ImageUse use);
+
+    // Checks what the pass gives its shaders to read, and the constants; returns descriptors of it, whose barriers
+    // are recorded.
+    std::vector<vk::DescriptorSet> PrepareResources(const Pass& pass);
+    void Bind(const Pass& pass, const std::vector<vk::DescriptorSet>& sets);
+
     std::vector<vk::DescriptorSet> AllocateSets(const Pipeline::Impl& pipeline);
 };
 
 vk::Format VulkanFormat(Format format);
+
+// `rgba` as the format holds it.
+vk::ClearColorValue ClearValue(const glm::vec4& rgba, Format format);
 
 inline vk::ImageAspectFlagBits AspectOf(Format format) {
     return format == Format::Depth32F ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;
