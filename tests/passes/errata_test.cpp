@@ -4,8 +4,8 @@
 #include "hlsl/constants/sat_constants.h"
 #include "passes_shaders.h"
 #include "runtime/passes/sat_verbatim_blur.h"
-#include "runtime/ping_pong.h"
 #include "runtime/passes/summed_area_table.h"
+#include "runtime/ping_pong.h"
 #include "test_support_shaders.h"
 #include "tests/support/device_image.h"
 

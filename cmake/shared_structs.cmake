@@ -1,0 +1,40 @@
+# Writes the list of the structs of hlsl/constants as C++: the name, the size and the members of each, as the compiler
+# of C++ sees them. tests/passes/constants_test.cpp compares them with the compiled shaders.
+#
+#   cmake -D HEADERS=<a.h;b.h> -D OUT=<file> -P shared_structs.cmake
+#
+# A header has at least one struct, `struct Name {`, with each member on its own line: `type name;`.
+set(includes "")
+set(structs "")
+foreach(header IN LISTS HEADERS)
+    cmake_path(GET header FILENAME file)
+    string(APPEND includes "#include \"hlsl/constants/${file}\"\n")
+    file(READ ${header} text)
+    string(REGEX REPLACE "//[^\n]*" "" text "${text}")
+    string(REPLACE ";" "<end>" text "${text}")
+    string(REGEX MATCHALL "struct +[A-Za-z0-9_]+[ \n]*{[^}]*}" found "${text}")
+    if(NOT found)
+        message(FATAL_ERROR "${header}: no struct")
+    endif()
+    foreach(struct IN LISTS found)
+        string(REGEX MATCH "struct +([A-Za-z0-9_]+)" name "${struct}")
+        set(name ${CMAKE_MATCH_1})
+        string(APPEND structs "    {\"${name}\", sizeof(${name}), {\n")
+        string(REGEX REPLACE "^[^{]*{|}$" "" body "${struct}")
+        string(REPLACE "<end>" ";" members "${body}")
+        foreach(member IN LISTS members)
+            string(STRIP "${member}" member)
+            if(member STREQUAL "")
+                continue()
+            endif()
+            if(NOT member MATCHES "^[A-Za-z0-9_]+ +([A-Za-z0-9_]+)$")
+                message(FATAL_ERROR "${header}: ${name}: '${member}': write one member as `type name;`")
+            endif()
+            set(field ${CMAKE_MATCH_1})
+            string(APPEND structs
+                   "        {\"g.${field}\", offsetof(${name}, ${field}), sizeof(${name}::${field})},\n")
+        endforeach()
+        string(APPEND structs "    }},\n")
+    endforeach()
+endforeach()
+file(WRITE ${OUT} "// Made by cmake/shared_structs.cmake.\n#include <cstddef>\n\n${includes}#include \"tests/support/shared_structs.h\"\n\nnamespace boxcar {\n\nconst std::vector<SharedStruct> kSharedStructs = {\n${structs}};\n\n}  // namespace boxcar\n")
