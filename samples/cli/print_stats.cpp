@@ -1,8 +1,8 @@
-#include "samples/cli/stats.h"
+#include "samples/cli/print_stats.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "tools/base/printable.h"
 
@@ -17,18 +17,6 @@ double TotalMilliseconds(const Stats& stats) {
 }
 
 }  // namespace
-
-void AddTimes(std::vector<PassTime>& total, const std::vector<PassTime>& times) {
-    auto at = total.begin();
-    for (const PassTime& time : times) {
-        at = std::find_if(at, total.end(), [&](const PassTime& t) { return t.name == time.name; });
-        if (at == total.end())
-            at = total.insert(at, time);
-        else
-            at->milliseconds += time.milliseconds;
-        ++at;
-    }
-}
 
 nlohmann::ordered_json ToJson(const Stats& stats) {
     nlohmann::ordered_json json = {{"input", stats.input},

@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "runtime/passes/blur.h"
-#include "samples/cli/codes.h"
-#include "samples/cli/stats.h"
+#include "samples/app/codes.h"
+#include "samples/app/stats.h"
+#include "samples/app/tell.h"
 
 namespace boxcar {
 
@@ -31,13 +32,15 @@ struct FilterRequest {
 //   widthMap  RGBA texels of the picture's extent, whose red is 0 for the least width and 1 for the largest; or none
 //   result    the samples of the file to write
 //   stats     what the device did is added to it
+//   tell      hears one line where texels ask for wider sums than a named precision holds and become NaN, and one
+//             where floats may be off by more than half a code
 //
-// Prints one line where texels ask for wider sums than a named precision holds and become NaN, and one where floats
-// may be off by more than half a code. Throws Error: a kernel that the words do not hold; sums of floats that end in
+// Throws Error: a kernel that the words do not hold; sums of floats that end in
 // infinity; what the device cannot hold.
 std::vector<glm::vec4> FilterPicture(Device& device, const Picture& picture, const std::string& name,
                                      Transfer transfer, const FilterRequest& request,
-                                     const std::vector<glm::vec4>& widthMap, SampleType result, Stats& stats);
+                                     const std::vector<glm::vec4>& widthMap, SampleType result, Stats& stats,
+                                     const Tell& tell);
 
 // The most that a filtered texel of a table of floats is off, in the picture's values (README; SATSumBox in
 // hlsl/boxcar/sat.hlsli).

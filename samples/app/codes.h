@@ -15,9 +15,9 @@
 #include <vector>
 
 #include "runtime/passes/sat_filter.h"
-#include "samples/cli/device_run.h"
-#include "samples/cli/options.h"
-#include "samples/cli/stats.h"
+#include "samples/app/device_run.h"
+#include "samples/app/light.h"
+#include "samples/app/stats.h"
 #include "samples/files/picture.h"
 
 namespace boxcar {

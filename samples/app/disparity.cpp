@@ -1,4 +1,4 @@
-#include "samples/cli/disparity.h"
+#include "samples/app/disparity.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "samples/cli/filter_picture.h"
+#include "samples/app/filter_picture.h"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <glm/common.hpp>
 
-#include "samples/cli/bands.h"
-#include "samples/cli/console.h"
-#include "samples/cli/light.h"
+#include "samples/app/bands.h"
+#include "samples/app/light.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 namespace {
@@ -110,15 +110,15 @@ std::vector<glm::vec4> FilterBands(Device& device, const Source& source, BlurDes
 
 // One line for texels whose width asks for more than the words hold, and which are NaN.
 void ReportMarked(const std::vector<glm::vec4>& texels, const BlurDesc& desc, const SATCodes& codes,
-                  const Picture& picture, SampleType result) {
+                  const Picture& picture, SampleType result, const Tell& tell) {
     const auto marked = std::ranges::count_if(texels, [](const glm::vec4& texel) { return !IsFinite(texel); });
     if (marked == 0) return;
     const uint32_t side = SATLargestWidthTexels(desc.precision, codes, desc.order, false);
-    PrintProblem(fmt::format("{} of {} texels ask for wider sums than {} holds ({} x {}) and are marked, as {}",
-                             marked, texels.size(), SATPrecisionName(desc.precision), side, side,
-                             result == SampleType::Float32 ? "NaN"
-                             : picture.channels > 2        ? "magenta"
-                                                           : "white"));
+    tell(fmt::format("{} of {} texels ask for wider sums than {} holds ({} x {}) and are marked, as {}", marked,
+                     texels.size(), SATPrecisionName(desc.precision), side, side,
+                     result == SampleType::Float32 ? "NaN"
+                     : picture.channels > 2        ? "magenta"
+                                                   : "white"));
 }
 
 // One line where a sample of the file may be off by more than half a code; of a float file, by more than 1e-5 of the
@@ -126,7 +126,7 @@ void ReportMarked(const std::vector<glm::vec4>& texels, const BlurDesc& desc, co
 //
 //   bound  of what is filtered
 void ReportBound(double bound, const std::vector<glm::vec4>& light, const Picture& picture, Transfer transfer,
-                 SampleType result, const std::string& what) {
+                 SampleType result, const std::string& what, const Tell& tell) {
     constexpr const char* kAdvice = "leave out --precision for exact sums";
     if (result == SampleType::Float32) {
         glm::dvec4 mean(0);
@@ -134,8 +134,8 @@ void ReportBound(double bound, const std::vector<glm::vec4>& light, const Pictur
             mean += glm::abs(glm::dvec4(texel)) / static_cast<double>(light.size());
         const double largest = std::max({mean.x, mean.y, mean.z, mean.w});
         if (bound > 1e-5 * largest)
-            PrintProblem(fmt::format("{}: the error of a sample is at most {:.2g}, of a mean of {:.2g}; {}", what,
-                                     bound, largest, kAdvice));
+            tell(fmt::format("{}: the error of a sample is at most {:.2g}, of a mean of {:.2g}; {}", what, bound,
+                             largest, kAdvice));
         return;
     }
     double codes = bound * (result == SampleType::Unorm8 ? 255 : 65535);
@@ -149,8 +149,7 @@ void ReportBound(double bound, const std::vector<glm::vec4>& light, const Pictur
             codes /= least;
         }
     }
-    if (codes > 0.5)
-        PrintProblem(fmt::format("{}: the error of a sample is at most {:.2g} codes; {}", what, codes, kAdvice));
+    if (codes > 0.5) tell(fmt::format("{}: the error of a sample is at most {:.2g} codes; {}", what, codes, kAdvice));
 }
 
 }  // namespace
@@ -184,7 +183,8 @@ double FloatTableBound(const std::vector<glm::vec4>& texels, Extent2D extent, co
 
 std::vector<glm::vec4> FilterPicture(Device& device, const Picture& picture, const std::string& name,
                                      Transfer transfer, const FilterRequest& request,
-                                     const std::vector<glm::vec4>& widthMap, SampleType result, Stats& stats) {
+                                     const std::vector<glm::vec4>& widthMap, SampleType result, Stats& stats,
+                                     const Tell& tell) {
     const bool isInteger = request.precision != SATPrecision::FP32;
     const auto filterBands = [&](const Source& source, const BlurDesc& desc) {
         try {
@@ -203,11 +203,11 @@ std::vector<glm::vec4> FilterPicture(Device& device, const Picture& picture, con
                                                    : FittingCodes(picture, name, transfer, result, kernel));
         const BlurDesc desc = BlurFor(picture, request, codes.Plan().precision);
         std::vector<glm::vec4> filtered = filterBands({.codes = &codes}, desc);
-        ReportMarked(filtered, desc, codes.Plan().rounds[0].codes, picture, result);
+        ReportMarked(filtered, desc, codes.Plan().rounds[0].codes, picture, result, tell);
         AddPlan(stats, codes.Plan());
         if (request.precision && picture.stored != SampleType::Float32 && transfer == Transfer::Srgb)
             ReportBound(0.5 * stats.step, ToLight(picture, transfer), picture, transfer, result,
-                        fmt::format("{}: {} by name sums light in steps of 1 / 65535", name, stats.precision));
+                        fmt::format("{}: {} by name sums light in steps of 1 / 65535", name, stats.precision), tell);
         return filtered;
     }
     const BlurDesc desc = BlurFor(picture, request, SATPrecision::FP32);
@@ -215,7 +215,7 @@ std::vector<glm::vec4> FilterPicture(Device& device, const Picture& picture, con
     std::vector<glm::vec4> filtered = filterBands({.light = &light}, desc);
     RequireFiniteSums(filtered, name);
     ReportBound(FloatTableBound(light, desc.extent, request, desc.bias), light, picture, transfer, result,
-                name + ": fp32 sums round");
+                name + ": fp32 sums round", tell);
     stats.precision = SATPrecisionName(SATPrecision::FP32);
     return filtered;
 }

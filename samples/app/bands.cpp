@@ -1,4 +1,4 @@
-#include "samples/cli/bands.h"
+#include "samples/app/bands.h"
 
 #include <algorithm>
 

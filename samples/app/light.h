@@ -2,12 +2,18 @@
 #pragma once
 
 #include <glm/vec4.hpp>
+#include <string>
 #include <vector>
 
-#include "samples/cli/options.h"
 #include "samples/files/picture.h"
 
 namespace boxcar {
+
+// Light in, light out: how values in files become values that are filtered.
+enum class Transfer {
+    Srgb,  // 8 and 16-bit files hold sRGB codes and straight alpha, float files linear light and colors times alpha
+    Raw,   // values as they stand
+};
 
 // RGBA texels of what is filtered, rows from the top. Under Srgb: linear light, colors times alpha. (Float files
 // hold that already, by the convention of EXR.) Channels that the picture does not have are 0.

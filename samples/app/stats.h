@@ -1,11 +1,9 @@
-// What a command did on the device, for people (--stats) and programs (--json).
+// What was done on the device for one picture.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "runtime/device.h"
 #include "runtime/format.h"
 #include "runtime/timing.h"
 
@@ -21,17 +19,10 @@ struct Stats {
     uint64_t tableBytes = 0;     // of device memory: 32 a texel for fp32 and u32, 64 for u64
     std::string volume = {};     // which file, and what was read of it; empty where none was
     std::vector<PassTime> passes = {};
-    uint64_t deviceBytes = 0;  // at the most, while this picture was worked on
+    uint64_t deviceBytes = 0;  // at most, while this picture was worked on
 };
-
-// {"input", "output", "width", "height", "precision", "step", "rounds", "table_bytes", "device_bytes", "device_ms",
-// "passes": [{"name", "ms"}]}; precision and step are null where no table was needed.
-nlohmann::ordered_json ToJson(const Stats& stats);
 
 // Adds what passes of the same name took.
 void AddTimes(std::vector<PassTime>& total, const std::vector<PassTime>& times);
-
-// To stderr, so that a picture may go to stdout.
-void PrintStats(const Stats& stats, const DeviceInfo& device);
 
 }  // namespace boxcar

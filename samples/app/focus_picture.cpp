@@ -1,10 +1,11 @@
-#include "samples/cli/focus_picture.h"
+#include "samples/app/focus_picture.h"
 
 #include <algorithm>
 
 #include "runtime/passes/layered_depth_of_field.h"
-#include "samples/cli/codes.h"
-#include "samples/cli/light.h"
+#include "samples/app/codes.h"
+#include "samples/app/light.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 

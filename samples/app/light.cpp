@@ -1,9 +1,10 @@
-#include "samples/cli/light.h"
+#include "samples/app/light.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "samples/files/color.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 

@@ -1,4 +1,4 @@
-#include "samples/cli/codes.h"
+#include "samples/app/codes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,6 +6,7 @@
 
 #include "hlsl/boxcar/sat_range.h"
 #include "samples/files/color.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "runtime/passes/depth_of_field.h"
-#include "samples/cli/options.h"
-#include "samples/cli/stats.h"
+#include "samples/app/light.h"
+#include "samples/app/stats.h"
 #include "samples/files/picture.h"
 
 namespace boxcar {
