@@ -157,7 +157,7 @@ Device::Device(const DeviceDesc& desc) : m_impl(new Impl(LoadVulkan())) {
     d.onValidationMessage = desc.onValidationMessage;
     if (!d.onValidationMessage)
         d.onValidationMessage = [](const std::string& message) { fmt::print(stderr, "{}\n", message); };
-    d.hasDebugNames =
+    d.hasDebugUtils =
         HasExtension(d.context.enumerateInstanceExtensionProperties(), VK_EXT_DEBUG_UTILS_EXTENSION_NAME) ||
         desc.validation;
     if (desc.validation) {
@@ -187,9 +187,9 @@ Device::Device(const DeviceDesc& desc) : m_impl(new Impl(LoadVulkan())) {
     vk::PhysicalDeviceFeatures features;
     features.samplerAnisotropy = d.physicalDevice.getFeatures().samplerAnisotropy;
     deviceInfo.pEnabledFeatures = &features;
-    if (features.samplerAnisotropy) d.maxAnisotropy = d.physicalDevice.getProperties().limits.maxSamplerAnisotropy;
     d.device = vk::raii::Device(d.physicalDevice, deviceInfo);
     d.queue = d.device.getQueue(d.queueFamily, 0);
+    d.hasSamplerAnisotropy = features.samplerAnisotropy;
     d.Finish();
 }
 
@@ -200,6 +200,8 @@ Device::Device(const AdoptedDevice& adopted) : m_impl(new Impl(LoadVulkan())) {
     d.device = vk::raii::Device(d.physicalDevice, adopted.device);
     d.queue = vk::raii::Queue(d.device, adopted.queue);
     d.queueFamily = adopted.queueFamily;
+    d.hasDebugUtils = adopted.hasDebugUtils;
+    d.hasSamplerAnisotropy = adopted.hasSamplerAnisotropy;
     // The wrappers would destroy the engine's handles: leave them nothing to destroy with.
     Mutable(d.instance.getDispatcher()).vkDestroyInstance = [](VkInstance, const VkAllocationCallbacks*) {};
     Mutable(d.device.getDispatcher()).vkDestroyDevice = [](VkDevice, const VkAllocationCallbacks*) {};
@@ -224,7 +226,8 @@ uint64_t Device::PeakMemoryBytes() const {
 
 AdoptedDevice Device::Handles() const {
     const Impl& d = *m_impl;
-    return {*d.instance, *d.physicalDevice, *d.device, *d.queue, d.queueFamily};
+    return {*d.instance,     *d.physicalDevice,     *d.device, *d.queue, d.queueFamily,
+            d.hasDebugUtils, d.hasSamplerAnisotropy};
 }
 
 void Device::Impl::Finish() {
@@ -234,6 +237,7 @@ void Device::Impl::Finish() {
     limits.maxSideTexels = base.limits.maxImageDimension2D;
     limits.maxVolumeSideTexels = base.limits.maxImageDimension3D;
     limits.maxImageBytes = properties.get<vk::PhysicalDeviceMaintenance3Properties>().maxMemoryAllocationSize;
+    if (hasSamplerAnisotropy) maxAnisotropy = base.limits.maxSamplerAnisotropy;
     memory = physicalDevice.getMemoryProperties();
     if (physicalDevice.getQueueFamilyProperties()[queueFamily].timestampValidBits > 0)
         nanosecondsPerTick = base.limits.timestampPeriod;

@@ -55,6 +55,9 @@ struct AdoptedDevice {
     VkDevice device = VK_NULL_HANDLE;
     VkQueue queue = VK_NULL_HANDLE;
     uint32_t queueFamily = 0;
+    // Vulkan cannot be asked what the engine enabled, so it says so here.
+    bool hasDebugUtils = false;         // VK_EXT_debug_utils, of the instance: names and labels for debuggers
+    bool hasSamplerAnisotropy = false;  // the feature, of the device; without it anisotropic samplers are linear
 };
 
 // Not thread-safe, and neither is anything made on it. Must outlive all that is made on it.

@@ -1,5 +1,7 @@
 #include "runtime/format.h"
 
+#include <glm/ext/vector_uint4.hpp>
+
 #include "runtime/vulkan.h"
 
 namespace boxcar {
@@ -30,6 +32,14 @@ const char* FormatName(Format format) {
 }
 vk::Format VulkanFormat(Format format) {
     return Row(format).vulkan;
+}
+
+vk::ClearColorValue ClearValue(const glm::vec4& rgba, Format format) {
+    if (format == Format::RGBA32UI) {
+        const glm::uvec4 words(rgba);
+        return std::array{words.x, words.y, words.z, words.w};
+    }
+    return std::array{rgba.x, rgba.y, rgba.z, rgba.w};
 }
 
 }  // namespace boxcar

@@ -26,7 +26,8 @@ struct Device::Impl {
     vk::raii::Device device = nullptr;
     vk::raii::Queue queue = nullptr;
     uint32_t queueFamily = 0;
-    bool hasDebugNames = false;
+    bool hasDebugUtils = false;
+    bool hasSamplerAnisotropy = false;
     float maxAnisotropy = 1;  // of samplers; 1 where the device was made without
 
     DeviceInfo info;
@@ -55,7 +56,7 @@ struct Device::Impl {
     void Name(const Handle& handle, const std::string& name) const {
         if constexpr (requires { handle.getDispatcher(); }) {  // vk::raii
             Name(*handle, name);
-        } else if (hasDebugNames && !name.empty()) {
+        } else if (hasDebugUtils && !name.empty()) {
             const auto number = reinterpret_cast<uint64_t>(static_cast<typename Handle::CType>(handle));
             device.setDebugUtilsObjectNameEXT({Handle::objectType, number, name.c_str()});
         }
@@ -133,22 +134,54 @@ struct Pipeline::Impl {
     vk::raii::Pipeline pipeline = nullptr;
 };
 
+// Measures passes with pairs of timestamps, in as many pools of them as the passes need.
+class PassTimer {
+public:
+    // `device` has a timer.
+    explicit PassTimer(Device::Impl& device) : m_device(&device) {}
+
+    // Both are recorded outside of rendering.
+    void Begin(vk::CommandBuffer commands, const std::string& pass);
+    void End(vk::CommandBuffer commands) const;
+
+    // Of all passes, after their work is done.
+    std::vector<PassTime> Times() const;
+
+private:
+    Device::Impl* m_device;
+    std::vector<vk::raii::QueryPool> m_pools;
+    std::vector<std::string> m_names;
+};
+
 struct CommandList::Impl {
     Device::Impl* device = nullptr;
     vk::raii::CommandBuffer own = nullptr;
     bool isPending = false;  // submitted, and not known to be done
     vk::CommandBuffer commands;
     std::vector<vk::raii::DescriptorPool> descriptorPools;
-    vk::raii::QueryPool timer = nullptr;
-    std::vector<std::string> timedNames;
+    std::optional<PassTimer> timer;
     std::vector<PassTime> times;
 
     ~Impl();
+
+    // Around the commands of a pass: its label for debuggers, and its timer.
+    void BeginPass(std::string_view name);
+    void EndPass();
+
     void Barrier(const Image& image, ImageUse use);
+
+    // Checks what the pass gives its shaders to read, and the constants; returns descriptors of it, whose barriers
+    // are recorded.
+    std::vector<vk::DescriptorSet> PrepareResources(const Pass& pass);
+    void Bind(const Pass& pass, const std::vector<vk::DescriptorSet>& sets);
+
     std::vector<vk::DescriptorSet> AllocateSets(const Pipeline::Impl& pipeline);
 };
 
 vk::Format VulkanFormat(Format format);
+
+// `rgba` as the format holds it.
+vk::ClearColorValue ClearValue(const glm::vec4& rgba, Format format);
 
 inline vk::ImageAspectFlagBits AspectOf(Format format) {
     return format == Format::Depth32F ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;

@@ -344,7 +344,7 @@ void Gallery::WidthsFromAMap() {
 void Gallery::LensOnAPhotograph() {
     GallerySection section{
         "Depth of field on a photograph",
-        "Hensley 2005, sect. 5.3 (Fig. 9)",
+        "Hensley 2005, sect. 5.4 (Fig. 9)",
         "Each texel under its own circle of confusion, from the photograph's disparity. One table of the whole "
         "picture, so what is sharp bleeds: look "
         "for the green haze round the leaves.",

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 
+#include "effects_shaders.h"
 #include "passes_shaders.h"
+#include "precision_shaders.h"
+#include "scenes_shaders.h"
 #include "tests/support/shared_structs.h"
 
 namespace boxcar {
@@ -19,7 +22,8 @@ struct Block {
 const std::vector<Block>& Blocks() {
     static const std::vector<Block> kBlocks = [] {
         std::vector<Block> blocks;
-        for (const auto& shaders : {passes_shaders::All()})
+        for (const auto& shaders :
+             {passes_shaders::All(), scenes_shaders::All(), effects_shaders::All(), precision_shaders::All()})
             for (const EmbeddedShader& shader : shaders)
                 for (LayoutResource& resource : ShaderLayoutFromJson(shader.layoutJson).resources)
                     if (resource.kind == ResourceKind::PushConstants)

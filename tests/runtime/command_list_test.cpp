@@ -172,6 +172,30 @@ TEST(CommandList, TimesEachPassByName) {
     EXPECT_EQ(names, std::vector<std::string>({"take off bias", "table x0", "table x1", "table y0", "table y1"}));
 }
 
+// More passes than one pool of timestamps holds.
+TEST(CommandList, TimesHundredsOfPasses) {
+    constexpr size_t kPasses = 600;
+    const Pipeline pipeline = SubtractPipeline();
+    const Image source = Upload({1, 1}, Texels(1));
+    const Image target(TestDevice(), {{1, 1}, Format::RGBA32F, "timed"});
+    const SubtractConstants constants{};
+    CommandList commands(TestDevice(), CommandList::Timing::On);
+    for (size_t i = 0; i < kPasses; i++)
+        commands.Draw({.name = std::to_string(i),
+                       .pipeline = pipeline,
+                       .reads = {{"source", &source}},
+                       .writes = {&target},
+                       .constants = ConstantBytes(constants)});
+    commands.SubmitAndWait();
+    const std::vector<PassTime> times = commands.PassTimes();
+    ASSERT_EQ(times.size(), kPasses);
+    for (size_t i = 0; i < kPasses; i++) {
+        EXPECT_EQ(times[i].name, std::to_string(i));
+        EXPECT_GE(times[i].milliseconds, 0);
+        EXPECT_LT(times[i].milliseconds, 60000);
+    }
+}
+
 // An engine's own command buffer: Boxcar records into it, the engine ends and submits it.
 TEST(CommandList, WrapsAnEnginesCommandBuffer) {
     const AdoptedDevice engine = TestDevice().Handles();

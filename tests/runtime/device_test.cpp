@@ -1,8 +1,15 @@
 #include "runtime/device.h"
 
 #include <gtest/gtest.h>
+#include <vulkan/vulkan.h>
 
+#include <algorithm>
+
+#include "hlsl/constants/sat_constants.h"
+#include "passes_shaders.h"
+#include "runtime/passes/mip_chain.h"
 #include "runtime/passes/summed_area_table.h"
+#include "test_support_shaders.h"
 #include "tests/support/device_image.h"
 #include "tests/support/expect_error.h"
 
@@ -74,6 +81,73 @@ TEST(Device, AdoptedFromAnEnginesHandlesWorksAndDestroysNothingOfIt) {
         EXPECT_EQ(result[15], glm::vec4(16));
     }
     EXPECT_EQ(Download(Upload(extent, Texels(16, glm::vec4(3))))[5], glm::vec4(3));
+}
+
+// Stripes of two texels, seen through an anisotropic sampler in pixels of 1 x 8 texels: the range of what is left.
+float StripesSeenOn(Device& device) {
+    const Extent2D stripes{64, 64}, squashed{64, 8};
+    Texels texels;
+    for (uint32_t i = 0; i < stripes.Texels(); i++)
+        texels.emplace_back(static_cast<float>(i / 2 % 2));
+    const Image source(device, {stripes, Format::RGBA32F, "stripes"});
+    WriteTexels(device, source, std::as_bytes(std::span(texels)));
+    const Image seen(device, {squashed, Format::RGBA32F, "seen"});
+    MipChain mips(device, stripes);
+    const Pipeline pipeline(device, {passes_shaders::Find("shaders/quad.vs"),
+                                     test_support_shaders::Find("shaders/sample.ps.SAMPLER=anisotropicRepeat")});
+    const SATPassConstants unmoved{};
+    CommandList commands(device);
+    commands.Draw({.name = "squash",
+                   .pipeline = pipeline,
+                   .reads = {{"source", &mips.Record(commands, source)}},
+                   .writes = {&seen},
+                   .constants = ConstantBytes(unmoved)});
+    commands.SubmitAndWait();
+    texels.resize(squashed.Texels());
+    ReadTexels(device, seen, std::as_writable_bytes(std::span(texels)));
+    const auto [least, most] = std::ranges::minmax(texels, {}, &glm::vec4::x);
+    return most.x - least.x;
+}
+
+TEST(Device, AdoptedHasTheAnisotropyThatItsEngineEnabled) {
+    AdoptedDevice engine = TestDevice().Handles();
+    if (!engine.hasSamplerAnisotropy) GTEST_SKIP() << "this device has none";
+    Device with(engine);
+    EXPECT_TRUE(with.Handles().hasSamplerAnisotropy);
+    EXPECT_GT(StripesSeenOn(with), 0.5f);
+    engine.hasSamplerAnisotropy = false;
+    Device without(engine);
+    EXPECT_FALSE(without.Handles().hasSamplerAnisotropy);
+    EXPECT_LT(StripesSeenOn(without), 0.1f);
+}
+
+// What the validation layer says of a clear in a layout that no clear can have; the clear never runs.
+std::string MessageAboutAWrongClearOn(Device& device) {
+    const Image image(device, {{1, 1}, Format::RGBA32F, "misused"});
+    const CommandList commands(device);
+    const VkClearColorValue black{};
+    const VkImageSubresourceRange all{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+    vkCmdClearColorImage(commands.Handle(), image.Handle(), VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, &black, 1,
+                         &all);
+    std::string text;
+    for (const std::string& message : TakeValidationMessages())
+        text += message;
+    return text;
+}
+
+TEST(Device, AdoptedNamesItsObjectsWhereItsEngineEnabledDebugUtils) {
+    AdoptedDevice engine = TestDevice().Handles();
+    ASSERT_TRUE(engine.hasDebugUtils) << "the validation layer has it";
+    Device with(engine);
+    EXPECT_TRUE(with.Handles().hasDebugUtils);
+    const std::string named = MessageAboutAWrongClearOn(with);
+    EXPECT_NE(named.find("misused"), std::string::npos) << named;
+    engine.hasDebugUtils = false;
+    Device without(engine);
+    EXPECT_FALSE(without.Handles().hasDebugUtils);
+    const std::string unnamed = MessageAboutAWrongClearOn(without);
+    EXPECT_NE(unnamed, "");
+    EXPECT_EQ(unnamed.find("misused"), std::string::npos) << unnamed;
 }
 
 }  // namespace

@@ -41,9 +41,9 @@ constexpr const char* kOutputFlagsAndExample = R"(
   --outputSuffix TEXT   goes behind that name, before the values
 
 Example:
-  $ cat hlsl/shaders.cfg
+  $ cat hlsl/passes.cfg
   shaders/sat_pass.ps.hlsl -T ps_5_0 -D TAPS={2,4,8,16}
-  $ bxc build hlsl/shaders.cfg -o build/shaders
+  $ bxc build hlsl/passes.cfg -o build/shaders
   writes build/shaders/shaders/sat_pass.ps.TAPS=2.spv, .layout.json, .d and so on
 )";
 
