@@ -1,5 +1,5 @@
-// Constants of the third-order filters' shaders: one text for HLSL and C++. Order the members so that none crosses a 16-byte
-// line; PassesConstants.OffsetsInCppEqualThoseInTheShaders compares them with the compiled shaders.
+// Constants of the third-order filters' shaders: one text for HLSL and C++. Order the members so that none crosses a
+// 16-byte line; SharedConstants.EveryStructIsTheBlockOfAShader compares them with the compiled shaders.
 #ifndef BOXCAR_BSPLINE_CONSTANTS_H
 #define BOXCAR_BSPLINE_CONSTANTS_H
 

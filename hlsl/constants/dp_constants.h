@@ -1,5 +1,5 @@
-// Constants of the dual paraboloids' shaders: one text for HLSL and C++. Order the members so that none crosses a 16-byte
-// line; PassesConstants.OffsetsInCppEqualThoseInTheShaders compares them with the compiled shaders.
+// Constants of the dual paraboloids' shaders: one text for HLSL and C++. Order the members so that none crosses a
+// 16-byte line; SharedConstants.EveryStructIsTheBlockOfAShader compares them with the compiled shaders.
 #ifndef BOXCAR_DP_CONSTANTS_H
 #define BOXCAR_DP_CONSTANTS_H
 
@@ -13,7 +13,7 @@ struct DPFaceConstants
 {
     int face;            // DP_FRONT or DP_BACK
     int sideTexels;
-    float codeScale;     // colour codes of light 1 and weight code 1
+    float codeScale;     // color codes of light 1 and weight code 1
     float largestLight;  // brighter light becomes this
 };
 

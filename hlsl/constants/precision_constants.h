@@ -1,5 +1,5 @@
 // Constants of the precision laboratory's shaders: one text for HLSL and C++. Order the members so that none crosses a
-// 16-byte line; PrecisionConstants.OffsetsInCppEqualThoseInTheShaders compares them with the compiled shaders.
+// 16-byte line; SharedConstants.EveryStructIsTheBlockOfAShader compares them with the compiled shaders.
 #ifndef BOXCAR_PRECISION_CONSTANTS_H
 #define BOXCAR_PRECISION_CONSTANTS_H
 

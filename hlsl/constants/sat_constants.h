@@ -1,5 +1,5 @@
 // Constants of the summed-area table's shaders: one text for HLSL and C++. Order the members so that none crosses a
-// 16-byte line; PassesConstants.OffsetsInCppEqualThoseInTheShaders compares them with the compiled shaders.
+// 16-byte line; SharedConstants.EveryStructIsTheBlockOfAShader compares them with the compiled shaders.
 #ifndef BOXCAR_SAT_CONSTANTS_H
 #define BOXCAR_SAT_CONSTANTS_H
 

@@ -78,13 +78,11 @@ DualParaboloidFaces DualParaboloid::Record(CommandList& commands, const Image& c
 }
 
 DualParaboloidTables::Face::Face(Device& device, const DualParaboloidTablesDesc& desc, const std::string& name)
-    : low(device, {Square(desc.sideTexels), Format::RGBA32UI, name + " codes"}),
-      high(device, {Square(desc.sideTexels), Format::RGBA32UI, name + " codes, upper words"}),
+    : codes(device, SATPrecision::U64, Square(desc.sideTexels), name + " codes"),
       table(device, {.extent = Square(desc.sideTexels), .precision = SATPrecision::U64, .order = desc.order}) {}
 
 DualParaboloidTables::Set::Set(Device& device, const DualParaboloidTablesDesc& desc, bool isFine)
-    : encode(device,
-             QuadShaders(fmt::format("dp_encode.ps.FINE={:d}", isFine), {Format::RGBA32UI, Format::RGBA32UI})),
+    : encode(device, QuadShaders(fmt::format("dp_encode.ps.FINE={:d}", isFine), WordFormats(SATPrecision::U64))),
       faces{Face(device, desc, kFaceNames[0]), Face(device, desc, kFaceNames[1])} {}
 
 DualParaboloidTables::DualParaboloidTables(Device& device, const DualParaboloidTablesDesc& desc)
@@ -97,9 +95,9 @@ TexelWords DualParaboloidTables::RecordFace(CommandList& commands, Set& set, siz
     commands.Draw({.name = "encode",
                    .pipeline = set.encode,
                    .reads = {{"face", &source}},
-                   .writes = {&target.low, &target.high},
+                   .writes = target.codes.Writes(),
                    .constants = ConstantBytes(constants)});
-    return target.table.Record(commands, TexelWords(target.low, target.high));
+    return target.table.Record(commands, target.codes);
 }
 
 DualParaboloidWords DualParaboloidTables::RecordSet(CommandList& commands, Set& set, const DualParaboloidFaces& faces,

@@ -87,7 +87,7 @@ private:
     struct Face {
         Face(Device& device, const DualParaboloidTablesDesc& desc, const std::string& name);
 
-        Image low, high;
+        WordImages codes;
         SummedAreaTable table;
     };
 

@@ -18,24 +18,19 @@ ExactTableDesc Checked(const ExactTableDesc& desc) {
 ExactTable::ExactTable(Device& device, const ExactTableDesc& desc)
     : m_desc(Checked(desc)),
       m_encode(device, QuadShaders(fmt::format("sat_encode.ps.WORDS={}", WordsOf(desc.precision)),
-                                   std::vector(WordsOf(desc.precision), Format::RGBA32UI))),
-      m_low(device, {desc.extent, Format::RGBA32UI, "codes"}),
-      m_table(device, {.extent = desc.extent, .precision = desc.precision, .order = desc.order, .taps = desc.taps}) {
-    if (desc.precision == SATPrecision::U64)
-        m_high.emplace(device, ImageDesc{desc.extent, Format::RGBA32UI, "codes, upper words"});
-}
+                                   WordFormats(desc.precision))),
+      m_codes(device, desc.precision, desc.extent, "codes"),
+      m_table(device, {.extent = desc.extent, .precision = desc.precision, .order = desc.order, .taps = desc.taps}) {}
 
 TexelWords ExactTable::Record(CommandList& commands, const Image& source) {
     BOXCAR_ASSERT(source.Extent() == m_desc.extent);
     const SATEncodeConstants constants{m_desc.codes.scale, static_cast<float>(m_desc.codes.largest)};
-    Pass pass{.name = "encode",
-              .pipeline = m_encode,
-              .reads = {{"source", &source}},
-              .writes = {&m_low},
-              .constants = ConstantBytes(constants)};
-    if (m_high) pass.writes.push_back(&*m_high);
-    commands.Draw(pass);
-    return m_table.Record(commands, m_high ? TexelWords(m_low, *m_high) : TexelWords(m_low));
+    commands.Draw({.name = "encode",
+                   .pipeline = m_encode,
+                   .reads = {{"source", &source}},
+                   .writes = m_codes.Writes(),
+                   .constants = ConstantBytes(constants)});
+    return m_table.Record(commands, m_codes);
 }
 
 }  // namespace boxcar

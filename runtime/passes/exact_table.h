@@ -30,8 +30,7 @@ public:
 private:
     ExactTableDesc m_desc;
     Pipeline m_encode;
-    Image m_low;
-    std::optional<Image> m_high;
+    WordImages m_codes;
     SummedAreaTable m_table;
 };
 

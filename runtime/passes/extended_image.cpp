@@ -19,28 +19,20 @@ Extent2D Extended(const ExtendedImageDesc& desc) {
 ExtendedImage::ExtendedImage(Device& device, const ExtendedImageDesc& desc)
     : m_desc(desc),
       m_pipeline(device, QuadShaders(fmt::format("sat_extend.ps.WORDS={}", WordsOf(desc.precision)),
-                                     std::vector(WordsOf(desc.precision), WordFormat(desc.precision)))),
-      m_low(device, {Extended(desc), WordFormat(desc.precision), "extended"}) {
-    if (desc.precision == SATPrecision::U64)
-        m_high.emplace(device, ImageDesc{Extended(desc), Format::RGBA32UI, "extended, upper words"});
-}
+                                     WordFormats(desc.precision))),
+      m_extended(device, desc.precision, Extended(desc), "extended") {}
 
 TexelWords ExtendedImage::Record(CommandList& commands, TexelWords source) {
     BOXCAR_ASSERT(source.low->Extent() == m_desc.extent);
     const SATExtendConstants constants{int2(m_desc.extent.widthTexels, m_desc.extent.heightTexels),
                                        int2(m_desc.padding.widthTexels, m_desc.padding.heightTexels),
                                        m_desc.isMirrored};
-    Pass pass{.name = "extend",
-              .pipeline = m_pipeline,
-              .reads = {{"source", source.low}},
-              .writes = {&m_low},
-              .constants = ConstantBytes(constants)};
-    if (m_high) {
-        pass.reads.push_back({"sourceHigh", source.high});
-        pass.writes.push_back(&*m_high);
-    }
-    commands.Draw(pass);
-    return m_high ? TexelWords(m_low, *m_high) : TexelWords(m_low);
+    commands.Draw({.name = "extend",
+                   .pipeline = m_pipeline,
+                   .reads = source.Reads("source", "sourceHigh"),
+                   .writes = m_extended.Writes(),
+                   .constants = ConstantBytes(constants)});
+    return m_extended;
 }
 
 }  // namespace boxcar

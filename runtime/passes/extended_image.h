@@ -27,13 +27,12 @@ public:
     TexelWords Record(CommandList& commands, TexelWords source);
 
     // Of the extended image.
-    Extent2D Extent() const { return m_low.Extent(); }
+    Extent2D Extent() const { return m_extended.Extent(); }
 
 private:
     ExtendedImageDesc m_desc;
     Pipeline m_pipeline;
-    Image m_low;
-    std::optional<Image> m_high;
+    WordImages m_extended;
 };
 
 }  // namespace boxcar

@@ -55,9 +55,9 @@ uint64_t SummedAreaTableBytes(Extent2D extent, SATPrecision precision) {
 }
 
 SummedAreaTable::SummedAreaTable(Device& device, const SummedAreaTableDesc& desc)
-    : m_desc(Checked(desc)), m_low(device, {desc.extent, WordFormat(desc.precision), "summed-area table"}) {
-    if (desc.precision == SATPrecision::U64)
-        m_high.emplace(device, ImageDesc{desc.extent, Format::RGBA32UI, "summed-area table, upper words"});
+    : m_desc(Checked(desc)),
+      m_targets{WordImages(device, desc.precision, desc.extent, "summed-area table A"),
+                WordImages(device, desc.precision, desc.extent, "summed-area table B")} {
     for (int axis = 0; axis < 2; axis++)
         for (uint32_t time = 0; time < desc.order; time++)
             AddAxis(axis, time);
@@ -71,7 +71,7 @@ PipelineDesc SummedAreaTable::PassShaders(uint32_t taps) const {
     if (m_desc.precision != SATPrecision::FP32) {
         const uint32_t words = WordsOf(m_desc.precision);
         return {find("quad.vs"), find(fmt::format("sat_pass_exact.ps.TAPS={}.WORDS={}", taps, words)),
-                std::vector(words, Format::RGBA32UI)};
+                WordFormats(m_desc.precision)};
     }
     if (m_desc.addressing == TapAddressing::Integer)
         return {find("quad.vs"), find(fmt::format("sat_pass_load.ps.TAPS={}", taps))};
@@ -103,8 +103,10 @@ void SummedAreaTable::AddAxis(int axis, uint32_t time) {
     }
 }
 
-TexelWords SummedAreaTable::Front() const {
-    return m_high ? TexelWords(m_low.Front(), m_high->Front()) : TexelWords(m_low.Front());
+// What was drawn last is read next.
+TexelWords SummedAreaTable::Swap() {
+    m_front = 1 - m_front;
+    return m_targets[m_front];
 }
 
 TexelWords SummedAreaTable::Record(CommandList& commands, TexelWords source, const Image* bias) {
@@ -114,7 +116,7 @@ TexelWords SummedAreaTable::Record(CommandList& commands, TexelWords source, con
 TexelWords SummedAreaTable::RecordFirst(CommandList& commands, TexelWords source, uint32_t passes,
                                         const Image* bias) {
     BOXCAR_ASSERT(source.low->Extent() == m_desc.extent);
-    BOXCAR_ASSERT(m_high.has_value() == (source.high != nullptr));
+    BOXCAR_ASSERT((WordsOf(m_desc.precision) == 2) == (source.high != nullptr));
     BOXCAR_ASSERT(!bias || m_takeOffBias);
     BOXCAR_ASSERT(passes <= Passes());
     TexelWords from = source;
@@ -122,28 +124,20 @@ TexelWords SummedAreaTable::RecordFirst(CommandList& commands, TexelWords source
         commands.Draw({.name = "take off bias",
                        .pipeline = *m_takeOffBias,
                        .reads = {{"source", from.low}, {"bias", bias}},
-                       .writes = {&m_low.Back()}});
-        m_low.Swap();
-        from = Front();
+                       .writes = Back().Writes()});
+        from = Swap();
     }
     const float2 texelUv = 1.0f / float2(m_desc.extent.widthTexels, m_desc.extent.heightTexels);
     for (const Step& step : std::span(m_steps).first(passes)) {
         const SATPassConstants constants{float2(step.strideTexels) * texelUv, step.strideTexels,
                                          OriginTexels(m_desc.origin, m_desc.extent)};
-        Pass pass{.name = step.name,
-                  .pipeline = m_passes.at(step.taps),
-                  .reads = {{"source", from.low}},
-                  .writes = {&m_low.Back()},
-                  .constants = ConstantBytes(constants),
-                  .area = step.area};
-        if (m_high) {
-            pass.reads.push_back({"sourceHigh", from.high});
-            pass.writes.push_back(&m_high->Back());
-            m_high->Swap();
-        }
-        commands.Draw(pass);
-        m_low.Swap();
-        from = Front();
+        commands.Draw({.name = step.name,
+                       .pipeline = m_passes.at(step.taps),
+                       .reads = from.Reads("source", "sourceHigh"),
+                       .writes = Back().Writes(),
+                       .constants = ConstantBytes(constants),
+                       .area = step.area});
+        from = Swap();
     }
     return from;
 }

@@ -13,6 +13,7 @@
 // Hensley 2005, sect. 3 and 4; Scheuermann 2005 (SATPass)
 #pragma once
 
+#include <array>
 #include <glm/ext/vector_int2.hpp>
 #include <map>
 #include <optional>
@@ -21,7 +22,6 @@
 
 #include "runtime/command_list.h"
 #include "runtime/passes/texel_words.h"
-#include "runtime/ping_pong.h"
 
 namespace boxcar {
 
@@ -102,14 +102,15 @@ private:
 
     void AddAxis(int axis, uint32_t time);
     PipelineDesc PassShaders(uint32_t taps) const;
-    TexelWords Front() const;
+    const WordImages& Back() const { return m_targets[1 - m_front]; }
+    TexelWords Swap();
 
     SummedAreaTableDesc m_desc;
     std::vector<Step> m_steps;
     std::map<uint32_t, Pipeline> m_passes;  // by taps
     std::optional<Pipeline> m_takeOffBias;
-    PingPong m_low;
-    std::optional<PingPong> m_high;
+    std::array<WordImages, 2> m_targets;
+    size_t m_front = 0;
 };
 
 }  // namespace boxcar

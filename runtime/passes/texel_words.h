@@ -1,6 +1,8 @@
 // What a summed-area table is made of: floats, or integers of one or two words a channel.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -28,20 +30,55 @@ constexpr Format WordFormat(SATPrecision precision) {
     return precision == SATPrecision::FP32 ? Format::RGBA32F : Format::RGBA32UI;
 }
 
-// The images that together hold one value a texel and channel.
+// What a pass writes words to: one target for each.
+inline std::vector<Format> WordFormats(SATPrecision precision) {
+    return std::vector(WordsOf(precision), WordFormat(precision));
+}
+
+// A view of the images that together hold one value per texel and channel.
 struct TexelWords {
     TexelWords(const Image& only) : low(&only) {}
     TexelWords(const Image& lowWords, const Image& highWords) : low(&lowWords), high(&highWords) {}
 
     const Image* low;
     const Image* high = nullptr;  // U64 only
+
+    // What a pass reads of them, besides `others`; the upper words only where there are any.
+    std::vector<Read> Reads(std::string_view lowName, std::string_view highName,
+                            std::vector<Read> others = {}) const {
+        others.push_back({lowName, low});
+        if (high) others.push_back({highName, high});
+        return others;
+    }
+};
+
+// Owns those images: 16 bytes of device memory per texel and word. Move-only.
+class WordImages {
+public:
+    // Throws Error as Image does.
+    WordImages(Device& device, SATPrecision precision, Extent2D extent, const std::string& name)
+        : m_low(device, {extent, WordFormat(precision), name}) {
+        if (WordsOf(precision) == 2)
+            m_high.emplace(device, ImageDesc{extent, WordFormat(precision), name + ", upper words"});
+    }
+
+    operator TexelWords() const { return m_high ? TexelWords(m_low, *m_high) : TexelWords(m_low); }
+
+    // The targets of a pass that writes all words.
+    std::vector<const Image*> Writes() const {
+        return m_high ? std::vector<const Image*>{&m_low, &*m_high} : std::vector<const Image*>{&m_low};
+    }
+
+    Extent2D Extent() const { return m_low.Extent(); }
+
+private:
+    Image m_low;
+    std::optional<Image> m_high;  // U64 only
 };
 
 // What a pass reads of a table, besides `others`: hlsl/shaders/table_io.hlsli has the names.
 inline std::vector<Read> TableReads(TexelWords table, std::vector<Read> others = {}) {
-    others.push_back({"table", table.low});
-    if (table.high) others.push_back({"tableHigh", table.high});
-    return others;
+    return table.Reads("table", "tableHigh", std::move(others));
 }
 
 }  // namespace boxcar

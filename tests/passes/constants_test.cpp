@@ -1,50 +1,53 @@
-// The structs that C++ and HLSL share have the same offsets in both.
+// The structs that C++ and HLSL share have the same members, offsets and sizes in both. Shaders name such a struct g
+// in their block of constants.
 #include <gtest/gtest.h>
 
-#include "hlsl/constants/effect_constants.h"
-#include "hlsl/constants/sat_constants.h"
+#include <algorithm>
+
+#include "effects_shaders.h"
 #include "passes_shaders.h"
-#include "tests/support/offsets.h"
+#include "precision_shaders.h"
+#include "scenes_shaders.h"
+#include "tests/support/shared_structs.h"
 
 namespace boxcar {
 namespace {
 
-TEST(PassesConstants, OffsetsInCppEqualThoseInTheShaders) {
-    const Offsets pass = {OFFSET(SATPassConstants, strideUv), OFFSET(SATPassConstants, strideTexels),
-                          OFFSET(SATPassConstants, originTexels)};
-    const Offsets mean = {OFFSET(MeanConstants, extentTexels), OFFSET(MeanConstants, divisor)};
-    const Offsets extend = {OFFSET(SATExtendConstants, extentTexels), OFFSET(SATExtendConstants, paddingTexels),
-                            OFFSET(SATExtendConstants, isMirrored)};
-    const Offsets filter = {OFFSET(SATFilterConstants, extentTexels),  OFFSET(SATFilterConstants, originTexels),
-                            OFFSET(SATFilterConstants, paddingTexels), OFFSET(SATFilterConstants, widthMapTexels),
-                            OFFSET(SATFilterConstants, minTexels),     OFFSET(SATFilterConstants, maxTexels),
-                            OFFSET(SATFilterConstants, boxes),         OFFSET(SATFilterConstants, sides),
-                            OFFSET(SATFilterConstants, codeScale),     OFFSET(SATFilterConstants, largestMass),
-                            OFFSET(SATFilterConstants, isSigned),      OFFSET(SATFilterConstants, isWholeX),
-                            OFFSET(SATFilterConstants, isWholeY)};
-    const Offsets lens = {OFFSET(LensConstants, focusDisparity), OFFSET(LensConstants, apertureTexels),
-                          OFFSET(LensConstants, largestTexels)};
-    const Offsets lensLayer = {
-        OFFSET(LensLayerConstants, focusDisparity), OFFSET(LensLayerConstants, apertureTexels),
-        OFFSET(LensLayerConstants, behindKnot),     OFFSET(LensLayerConstants, knot),
-        OFFSET(LensLayerConstants, beforeKnot),     OFFSET(LensLayerConstants, secondBeforeKnot),
-        OFFSET(LensLayerConstants, thirdBeforeKnot)};
-    const Offsets lensOver = {OFFSET(LensOverConstants, diameterTexels), OFFSET(LensOverConstants, boxes),
-                              OFFSET(LensOverConstants, sides),          OFFSET(LensOverConstants, codeScale),
-                              OFFSET(LensOverConstants, opacity),        OFFSET(LensOverConstants, isLast)};
-    EXPECT_EQ(OffsetsIn(passes_shaders::Find("shaders/lens_width.ps")), lens);
-    EXPECT_EQ(OffsetsIn(passes_shaders::Find("shaders/lens_layer.ps")), lensLayer);
-    EXPECT_EQ(OffsetsIn(passes_shaders::Find("shaders/lens_over.ps.WORDS=2")), lensOver);
-    EXPECT_EQ(OffsetsIn(passes_shaders::Find("shaders/sat_pass.vs.TAPS=16")), pass);
-    EXPECT_EQ(OffsetsIn(passes_shaders::Find("shaders/sat_pass_load.ps.TAPS=2")), pass);
-    EXPECT_EQ(OffsetsIn(passes_shaders::Find("shaders/sat_pass_exact.ps.TAPS=2.WORDS=2")), pass);
-    EXPECT_EQ(OffsetsIn(passes_shaders::Find("shaders/mean.ps")), mean);
-    EXPECT_EQ(OffsetsIn(passes_shaders::Find("shaders/sat_extend.ps.WORDS=1")), extend);
-    EXPECT_EQ(OffsetsIn(passes_shaders::Find("shaders/sat_filter.ps.EDGE=SAT_EDGE_CLIP")), filter);
-    EXPECT_EQ(
-        OffsetsIn(passes_shaders::Find("shaders/sat_filter_exact.ps.ORDER=2.WHOLE=0.WORDS=2.EDGE=SAT_EDGE_CLIP")),
-        filter);
-    EXPECT_EQ(OffsetsIn(passes_shaders::Find("shaders/sat_blur_verbatim.ps")), filter);
+struct Block {
+    std::string shader;
+    LayoutResource constants;
+};
+
+// The blocks of constants of every shader. A new set of shaders gets its line here.
+const std::vector<Block>& Blocks() {
+    static const std::vector<Block> kBlocks = [] {
+        std::vector<Block> blocks;
+        for (const auto& shaders :
+             {passes_shaders::All(), scenes_shaders::All(), effects_shaders::All(), precision_shaders::All()})
+            for (const EmbeddedShader& shader : shaders)
+                for (LayoutResource& resource : ShaderLayoutFromJson(shader.layoutJson).resources)
+                    if (resource.kind == ResourceKind::PushConstants)
+                        blocks.push_back({std::string(shader.name), std::move(resource)});
+        return blocks;
+    }();
+    return kBlocks;
+}
+
+bool Match(const SharedStruct& shared, const Block& block) {
+    return shared.sizeBytes == block.constants.sizeBytes && shared.members == block.constants.members;
+}
+
+TEST(SharedConstants, EveryStructIsTheBlockOfAShader) {
+    for (const SharedStruct& shared : kSharedStructs)
+        EXPECT_TRUE(std::ranges::any_of(Blocks(), [&](const Block& block) { return Match(shared, block); }))
+            << shared.name << ": no shader has a block of these members, offsets and sizes";
+}
+
+TEST(SharedConstants, EveryBlockOfAShaderIsAStruct) {
+    ASSERT_FALSE(Blocks().empty());
+    for (const Block& block : Blocks())
+        EXPECT_TRUE(std::ranges::any_of(kSharedStructs, [&](const SharedStruct& s) { return Match(s, block); }))
+            << block.shader << ": no struct of hlsl/constants has the members, offsets and sizes of its block";
 }
 
 }  // namespace

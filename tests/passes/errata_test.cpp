@@ -5,6 +5,7 @@
 #include "passes_shaders.h"
 #include "runtime/passes/sat_verbatim_blur.h"
 #include "runtime/passes/summed_area_table.h"
+#include "runtime/ping_pong.h"
 #include "test_support_shaders.h"
 #include "tests/support/device_image.h"
 
