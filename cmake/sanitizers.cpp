@@ -1,4 +1,5 @@
-// Part of every sanitized program: its options, so that it needs none in the environment, wherever it is started from.
+// Part of every sanitized program: its options, so that it needs none in the environment, wherever it is started
+// from.
 
 extern "C" {
 

@@ -1,9 +1,11 @@
 # boxcar_add_shaders(target manifest): compiles the shaders that the manifest lists, at build time, into the target.
 #
-#   boxcar_add_shaders(passes hlsl/shaders.cfg)
+#   boxcar_add_shaders(passes hlsl/passes.cfg)
 #
 #   #include "passes_shaders.h"
 #   boxcar::passes_shaders::Find("shaders/sat_pass.ps.TAPS=4")    // an EmbeddedShader: SPIR-V and layout
+#
+# What links the target finds its shaders too: others draw with quad.vs.
 #
 # A change in an .hlsl, an .hlsli or the manifest compiles again what depends on it, and nothing else.
 function(boxcar_add_shaders target manifest)
@@ -19,6 +21,6 @@ function(boxcar_add_shaders target manifest)
         COMMENT "Compiling the shaders of ${target}"
         VERBATIM)
     target_sources(${target} PRIVATE ${dir}/${name}.cpp)
-    target_include_directories(${target} PRIVATE ${dir})
+    target_include_directories(${target} PUBLIC ${dir})
     target_link_libraries(${target} PRIVATE layout)
 endfunction()

@@ -25,7 +25,7 @@ float2 FootprintRectangle(float2 ddxUv, float2 ddyUv)
 // A lens of diameter A and focal length f, focused at z_f, spreads a point at z over A f / (z_f - f) |z - z_f| / z =
 // A f z_f / (z_f - f) |1 / z_f - 1 / z|: linear in 1 / z, so one factor holds all of the lens.
 //
-// Cost: 3 operations. Hensley 2005, sect. 5.3
+// Cost: 3 operations. Hensley 2005, sect. 5.4
 float FootprintLens(float disparity, float focusDisparity, float apertureTexels)
 {
     return max(1.0, apertureTexels * abs(disparity - focusDisparity));

@@ -5,6 +5,13 @@
 
 #define ISOSURFACE_BLOCK_CELLS 4  // of a block's side; a cell lies between two voxels
 
+// What isosurface_shade.ps shows.
+#define ISOSURFACE_PHONG 0      // light alone
+#define ISOSURFACE_CURVATURE 1  // a color for each pair of principal curvatures
+#define ISOSURFACE_RIDGES 2     // ridges light, valleys dark
+#define ISOSURFACE_NORMAL 3     // the normal in the world as a color
+#define ISOSURFACE_MAXIMUM 4    // blue to red by the larger curvature
+
 #ifdef __cplusplus
 #include "hlsl/constants/hlsl_types.h"
 namespace boxcar {
@@ -25,7 +32,7 @@ struct IsosurfaceMarchConstants {
 // isosurface_shade.ps. Along the volume's axes, but for the world's own.
 struct IsosurfaceShadeConstants {
     float3 eyeMillimetres;  // from the volume's corner
-    int shade;
+    int shade;              // ISOSURFACE_PHONG, ..
     float3 voxelMillimetres;
     float radiusMillimetres;  // of a curvature that has its full colour
     float3 lightMillimetres;  // towards the lamp; of length 1

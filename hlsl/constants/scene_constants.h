@@ -8,19 +8,23 @@
 namespace boxcar {
 #endif
 
-// scene.vs and the pixel shaders after it: one object.
+// scene.vs and the pixel shaders after it: one object. Blocks that begin with it have 16 bytes for the pixel shader.
 struct SceneConstants
 {
     float4x4 clipFromWorld;
     float3 offsetWorld;  // of the mesh's origin
     float scale;         // world units in one of the mesh's
-    float2 turn;         // cosine and sine of its turn about +y
-    float checkWorld;    // side of its checks; 0 for none
-    float optionA;       // three values for the pixel shader of an effect
     float3 albedo;
-    float optionB;
+    float turnCosine;    // of its turn about +y
     float3 eyeWorld;
-    float optionC;
+    float turnSine;
+};
+
+// scene.ps, planar_reflected.ps, shadow_surface.ps: a matt object.
+struct MattConstants
+{
+    SceneConstants scene;
+    float checkWorld;  // side of its checks; 0 for none
 };
 
 // environment.ps: the light behind a scene.

@@ -2,6 +2,7 @@
 // FINE, for the orders: with tables of what rounding left over.
 // Hensley 2005, sect. 5.1 (Figs 5 to 7)
 #include "boxcar/dual_paraboloid_sat.hlsli"
+#include "constants/effect_constants.h"
 #include "shaders/reflection.hlsli"
 
 #define BOX 1
@@ -9,6 +10,7 @@
 #define ORDER2 5
 #define ORDER3 6
 
+BOXCAR_CONSTANTS(Constants) { GlossyConstants g; };
 Texture2D<uint4> frontLow : register(t0);
 Texture2D<uint4> frontHigh : register(t1);
 Texture2D<uint4> backLow : register(t2);
@@ -30,13 +32,12 @@ float4 LightOfOrder(DPTables tables, int order, float3 dir, float widthTexels)
 #endif
 }
 
-// g.optionB: the tables' code scale; g.optionC: their largest width.
 float4 main(SceneVertex i) : SV_Target0
 {
-    DPTables tables = DPTablesOf(frontLow, frontHigh, backLow, backHigh, int(g.optionC), g.optionB);
-    float3 dir = ReflectedDirection(i);
+    DPTables tables = DPTablesOf(frontLow, frontHigh, backLow, backHigh, g.largestTexels, g.codeScale);
+    float3 dir = ReflectedDirection(i, g.scene.eyeWorld);
     // The Gaussian that a box of the width stands for; the other lobes are of the same sigma.
-    float widthTexels = ReflectionWidth(i);
+    float widthTexels = ReflectionWidth(i, g.widthTexels);
     float sigmaTexels = widthTexels / kDPBoxOverSigma;
 #if LOBE == BOX
     float4 light = DPSampleSAT(tables, dir, widthTexels);
@@ -47,5 +48,5 @@ float4 main(SceneVertex i) : SV_Target0
 #else
     float4 light = LightOfOrder(tables, 3, dir, kDPParabolicOverSigma * sigmaTexels);
 #endif
-    return float4(light.rgb * g.albedo, 1.0);
+    return float4(light.rgb * g.scene.albedo, 1.0);
 }

@@ -1,8 +1,6 @@
 // isosurface_shade.ps: the colour of the points that isosurface_march.ps found, once a pixel.
 //
 //   FILTER   TRILINEAR: derivatives by differences over a voxel; TRICUBIC: those of the cubic B-spline
-//   g.shade  PHONG; CURVATURE: a colour for each pair of principal curvatures; RIDGES: ridges light, valleys dark;
-//            NORMAL: the normal in the world as a colour; MAXIMUM: blue to red by the larger curvature
 //
 // Sigg 2005, sect. 20.4 (Figs 20-4 and 20-5); Kindlmann 2003 (transfer functions of two curvatures)
 #include "boxcar/bspline_volume.hlsli"
@@ -17,8 +15,6 @@ BOXCAR_CONSTANTS(Constants) { IsosurfaceShadeConstants g; };
 Texture3D<float> volume : register(t0);
 Texture2D<float4> hits : register(t1);
 SamplerState linearClamp : register(s0);
-
-static const int kPhong = 0, kCurvature = 1, kRidges = 2, kMaximum = 4;
 
 float At(float3 edgeVoxels, int3 extent)
 {
@@ -103,13 +99,13 @@ float4 main(QuadVertex i) : SV_Target0
     float diffuse = 0.80 * lamp + 0.12 * max(dot(normal, view), 0.0) + 0.02 + 0.10 * sky;
     float highlight = lamp > 0.0 ? 0.22 * pow(max(dot(normal, middle), 0.0), 48.0) : 0.0;
     float3 colour = 0.5 + 0.5 * normalWorld;
-    if (g.shade == kPhong)
+    if (g.shade == ISOSURFACE_PHONG)
         colour = float3(0.84, 0.60, 0.48) * diffuse + highlight;
-    else if (g.shade == kCurvature)
+    else if (g.shade == ISOSURFACE_CURVATURE)
         colour = CurvatureColour(kappa) * (0.2 + 0.9 * diffuse);
-    else if (g.shade == kRidges)
+    else if (g.shade == ISOSURFACE_RIDGES)
         colour = RidgesColour(kappa) * (0.35 + 0.75 * diffuse);
-    else if (g.shade == kMaximum)
+    else if (g.shade == ISOSURFACE_MAXIMUM)
         colour = MaximumColour(kappa.x) * (0.2 + 0.9 * diffuse);
     return float4(hit.w > 0.5 ? colour : background, 1.0);
 }

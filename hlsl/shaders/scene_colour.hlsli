@@ -5,11 +5,12 @@
 #include "shaders/scene.hlsli"
 #include "shaders/scene_io.hlsli"
 
-float3 SceneColour(SceneVertex i)
+// SceneColour: `checkWorld` is the side of the checks on a matt object of this albedo; 0 for none.
+float3 SceneColour(SceneVertex i, float3 albedo, float checkWorld)
 {
     float3 normal = normalize(i.normalWorld);
-    float3 albedo = SceneAlbedo(g.albedo, g.checkWorld, SceneWallPoint(i.positionWorld, normal));
-    return albedo * SceneLight(normal, 1.0);
+    float3 checked = SceneAlbedo(albedo, checkWorld, SceneWallPoint(i.positionWorld, normal));
+    return checked * SceneLight(normal, 1.0);
 }
 
 #endif

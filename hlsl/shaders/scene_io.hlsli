@@ -1,4 +1,4 @@
-// scene_io.hlsli: what scene.vs hands to the pixel shaders, and the constants of both.
+// scene_io.hlsli: what scene.vs hands to the pixel shaders.
 #ifndef BOXCAR_SCENE_IO_HLSLI
 #define BOXCAR_SCENE_IO_HLSLI
 
@@ -13,12 +13,11 @@ struct SceneVertex
     float2 uv : TEXCOORD2;
 };
 
-BOXCAR_CONSTANTS(Constants) { SceneConstants g; };
-
 // A direction of the mesh, turned about +y as the object is.
-float3 Turned(float3 v)
+float3 Turned(SceneConstants scene, float3 v)
 {
-    return float3(g.turn.x * v.x + g.turn.y * v.z, v.y, g.turn.x * v.z - g.turn.y * v.x);
+    return float3(scene.turnCosine * v.x + scene.turnSine * v.z, v.y,
+                  scene.turnCosine * v.z - scene.turnSine * v.x);
 }
 
 #endif

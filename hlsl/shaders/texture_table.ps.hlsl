@@ -7,9 +7,9 @@
 
 Texture2D<uint4> table : register(t0);
 
-// Boxes of 8 x 8 repetitions of 256 x 256 texels of 8 bits fit into 32 bits. Wider ones have the same mean.
+// Boxes of 8 x 8 repetitions of TEXTURE_SIDE_TEXELS and TEXTURE_WHITE_CODES fit into 32 bits. Wider ones have the same
+// mean.
 static const float kMostRepeats = 8.0;
-static const float kCodesOfWhite = 255.0;
 
 float4 main(SceneVertex i) : SV_Target0
 {
@@ -19,5 +19,5 @@ float4 main(SceneVertex i) : SV_Target0
     float2 sizeUv = clamp(FootprintRectangle(ddx(uv), ddy(uv)), 1.0 / float2(extentTexels), kMostRepeats);
     SATFrame frame = SATFrameAtCorner(extentTexels, SAT_EDGE_REPEAT);
     SATBox box = SATClipBox(frame, SATBoxAt(TexelUvToEdge(uv, extentTexels), TexelUvToEdge(sizeUv, extentTexels)));
-    return TexturedLight(i, SATSumBox(SATTable32(table), frame, box) / (SATBoxArea(box) * kCodesOfWhite));
+    return TexturedLight(i, SATSumBox(SATTable32(table), frame, box) / (SATBoxArea(box) * float(TEXTURE_WHITE_CODES)));
 }

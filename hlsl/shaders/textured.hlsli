@@ -2,13 +2,16 @@
 #ifndef BOXCAR_TEXTURED_HLSLI
 #define BOXCAR_TEXTURED_HLSLI
 
+#include "constants/effect_constants.h"
 #include "shaders/scene.hlsli"
 #include "shaders/scene_io.hlsli"
 
-// TexturedUv: the texture coordinate; g.optionA and g.optionB: how often the texture lies along u and v of the mesh.
+BOXCAR_CONSTANTS(Constants) { TexturedConstants g; };
+
+// TexturedUv: the texture coordinate.
 float2 TexturedUv(SceneVertex i)
 {
-    return i.uv * float2(g.optionA, g.optionB);
+    return i.uv * g.repeats;
 }
 
 // TexturedLight: the picture's texel for a texture's value. Alpha: the light that white would give off, in green.

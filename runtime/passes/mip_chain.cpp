@@ -4,9 +4,10 @@
 
 namespace boxcar {
 
-MipChain::MipChain(Device& device, Extent2D extent, const std::string& halve)
-    : m_halve(device, QuadShaders(halve)),
-      m_all(device, {.extent = extent, .name = "mip levels", .levels = MipLevels(extent)}) {
+MipChain::MipChain(Device& device, Extent2D extent) : MipChain(device, extent, QuadShaders("half.ps")) {}
+
+MipChain::MipChain(Device& device, Extent2D extent, const PipelineDesc& halve)
+    : m_halve(device, halve), m_all(device, {.extent = extent, .name = "mip levels", .levels = MipLevels(extent)}) {
     for (uint32_t level = 1; level < MipLevels(extent); level++)
         m_levels.emplace_back(device, ImageDesc{.extent = LevelExtent(extent, level), .name = "mip level"});
 }

@@ -3,7 +3,6 @@
 //   source  ->  half as large, level by level  ->  copied into one image of all levels
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "runtime/command_list.h"
@@ -14,8 +13,11 @@ namespace boxcar {
 // thread-safe.
 class MipChain {
 public:
-    // halve: the pixel shader that makes a level of `finer`; half.ps takes plain means.
-    MipChain(Device& device, Extent2D extent, const std::string& halve = "half.ps");
+    // Each texel of a level is the plain mean of those that it lies over.
+    MipChain(Device& device, Extent2D extent);
+
+    // halve: makes a level of `finer`, an image-to-image pass.
+    MipChain(Device& device, Extent2D extent, const PipelineDesc& halve);
 
     // Returns the image of all levels, RGBA32F.
     const Image& Record(CommandList& commands, const Image& source);

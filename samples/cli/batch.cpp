@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <nlohmann/json.hpp>
+
 #include "samples/cli/console.h"
 #include "samples/files/bytes.h"
 

@@ -6,7 +6,7 @@
 
 #include "samples/cli/options.h"
 #include "samples/cli/outputs.h"
-#include "samples/cli/stats.h"
+#include "samples/cli/print_stats.h"
 
 namespace boxcar {
 

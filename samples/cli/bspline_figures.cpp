@@ -6,8 +6,8 @@
 
 #include "runtime/passes/quad_shaders.h"
 #include "runtime/passes/resize.h"
-#include "samples/cli/device_run.h"
-#include "samples/cli/light.h"
+#include "samples/app/device_run.h"
+#include "samples/app/light.h"
 #include "samples/cli/plot.h"
 
 namespace boxcar {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <optional>
 
-#include "samples/cli/disparity.h"
+#include "samples/app/disparity.h"
 #include "samples/cli/options.h"
 #include "samples/files/color.h"
 

@@ -1,11 +1,11 @@
-#include "samples/cli/devices.h"
-
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "runtime/device.h"
+#include "samples/cli/commands.h"
 #include "samples/cli/console.h"
 
 namespace boxcar {
@@ -36,12 +36,12 @@ void PrintTable(const std::vector<DeviceInfo>& devices) {
 
 }  // namespace
 
-void AddDevicesCommand(CLI::App& app) {
+Command AddDevicesCommand(CLI::App& app) {
     const auto json = std::make_shared<bool>(false);
     CLI::App& command = *app.add_subcommand("devices", "List the Vulkan devices that --device can name");
     command.footer("Example:\n  boxcar devices --json");
     command.add_flag("--json", *json, "Print one JSON document");
-    command.callback([json] { *json ? PrintAsJson(ListDevices()) : PrintTable(ListDevices()); });
+    return {&command, [json] { *json ? PrintAsJson(ListDevices()) : PrintTable(ListDevices()); }};
 }
 
 }  // namespace boxcar

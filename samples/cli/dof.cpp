@@ -1,12 +1,12 @@
-#include "samples/cli/dof.h"
-
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 
+#include "samples/app/focus_picture.h"
+#include "samples/app/light.h"
 #include "samples/cli/batch.h"
+#include "samples/cli/commands.h"
 #include "samples/cli/depth.h"
-#include "samples/cli/focus_picture.h"
-#include "samples/cli/light.h"
 
 namespace boxcar {
 namespace {
@@ -63,7 +63,7 @@ Stats Focus(Device& device, const Job& job, const DofOptions& options) {
 
 }  // namespace
 
-void AddDofCommand(CLI::App& app) {
+Command AddDofCommand(CLI::App& app) {
     const auto options = std::make_shared<DofOptions>();
     CLI::App& command = *app.add_subcommand("dof", "Depth of field on a photograph whose depth is known");
     command.footer(
@@ -99,11 +99,11 @@ void AddDofCommand(CLI::App& app) {
         ->check(CLI::IsMember({"single", "layered"}))
         ->type_name("M");
     AddDiscOptions(command, options->disc);
-    command.callback([options] {
-        RequirePossible(*options);
-        RunBatch("dof", *options, PlanJobs(options->files),
-                 [&](Device& device, const Job& job) { return Focus(device, job, *options); });
-    });
+    return {&command, [options] {
+                RequirePossible(*options);
+                RunBatch("dof", *options, PlanJobs(options->files),
+                         [&](Device& device, const Job& job) { return Focus(device, job, *options); });
+            }};
 }
 
 }  // namespace boxcar

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <set>
 
+#include "samples/app/device_run.h"
+#include "samples/app/light.h"
 #include "samples/cli/console.h"
-#include "samples/cli/device_run.h"
-#include "samples/cli/light.h"
 #include "samples/files/bytes.h"
 #include "samples/files/color.h"
 #include "samples/scenes/scene.h"

@@ -1,15 +1,16 @@
-#include "samples/cli/filter.h"
-
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <memory>
 
+#include "samples/app/filter_picture.h"
+#include "samples/app/light.h"
 #include "samples/cli/batch.h"
-#include "samples/cli/filter_picture.h"
-#include "samples/cli/light.h"
+#include "samples/cli/commands.h"
+#include "samples/cli/console.h"
 
 namespace boxcar {
 namespace {
@@ -125,14 +126,14 @@ Stats Filter(Device& device, const Job& job, const FilterOptions& options) {
 
     Stats stats{.input = job.input, .output = job.output, .extent = {picture.widthTexels, picture.heightTexels}};
     const std::vector<glm::vec4> texels =
-        FilterPicture(device, picture, job.input, transfer, request, map, sampleType, stats);
+        FilterPicture(device, picture, job.input, transfer, request, map, sampleType, stats, PrintProblem);
     WriteResult(FromLight(texels, picture, transfer, sampleType), job.output, job.format, sampleType);
     return stats;
 }
 
 }  // namespace
 
-void AddFilterCommand(CLI::App& app) {
+Command AddFilterCommand(CLI::App& app) {
     const auto options = std::make_shared<FilterOptions>();
     CLI::App& command = *app.add_subcommand("filter", "Blur pictures: the mean under a kernel around every texel");
     command.footer(
@@ -195,15 +196,15 @@ Examples:
         .add_option("--bits", options->bits, "Bits of a PNG's samples: 8 or 16 (default: as the input, float as 8)")
         ->check(CLI::IsMember({8, 16}))
         ->type_name("B");
-    command.callback([options] {
-        RequirePossible(*options);
-        const std::vector<Job> jobs = PlanJobs(options->files);
-        for (const Job& job : jobs)
-            if (options->bits != 0 && job.format != FileFormat::Png)
-                throw UsageError("--bits {} with -o {}: it is for PNG", options->bits, job.output);
-        RunBatch("filter", *options, jobs,
-                 [&](Device& device, const Job& job) { return Filter(device, job, *options); });
-    });
+    return {&command, [options] {
+                RequirePossible(*options);
+                const std::vector<Job> jobs = PlanJobs(options->files);
+                for (const Job& job : jobs)
+                    if (options->bits != 0 && job.format != FileFormat::Png)
+                        throw UsageError("--bits {} with -o {}: it is for PNG", options->bits, job.output);
+                RunBatch("filter", *options, jobs,
+                         [&](Device& device, const Job& job) { return Filter(device, job, *options); });
+            }};
 }
 
 }  // namespace boxcar

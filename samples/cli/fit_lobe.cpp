@@ -1,13 +1,14 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
 
+#include "samples/cli/commands.h"
 #include "samples/cli/console.h"
-#include "samples/cli/render.h"
 #include "samples/effects/lobe_fit.h"
 #include "tools/base/error.h"
 
@@ -52,7 +53,7 @@ void Fit(const FitOptions& options) {
 
 }  // namespace
 
-void AddFitLobeCommand(CLI::App& app) {
+Command AddFitLobeCommand(CLI::App& app) {
     const auto options = std::make_shared<FitOptions>();
     CLI::App& command = *app.add_subcommand("fit-lobe", "Stacks of boxes that stand for a lobe of reflected light");
     command.footer(
@@ -64,7 +65,7 @@ void AddFitLobeCommand(CLI::App& app) {
     command.add_option("--ggx", options->ggx, "The lobe of a GGX surface seen from above")->type_name("ALPHA");
     command.add_option("--boxes", options->boxes, "1 to 6 (default 4)")->type_name("K");
     command.add_flag("--json", options->json, "Print one JSON document");
-    command.callback([options] { Fit(*options); });
+    return {&command, [options] { Fit(*options); }};
 }
 
 }  // namespace boxcar

@@ -1,8 +1,7 @@
-#include "samples/cli/gallery.h"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -12,18 +11,21 @@
 #include <memory>
 
 #include "runtime/passes/sat_verbatim_blur.h"
+#include "samples/app/device_run.h"
+#include "samples/app/disparity.h"
+#include "samples/app/filter_picture.h"
+#include "samples/app/focus_picture.h"
+#include "samples/app/light.h"
 #include "samples/cli/bspline_figures.h"
+#include "samples/cli/commands.h"
 #include "samples/cli/console.h"
-#include "samples/cli/device_run.h"
-#include "samples/cli/disparity.h"
 #include "samples/cli/effect_figures.h"
-#include "samples/cli/filter_picture.h"
-#include "samples/cli/focus_picture.h"
 #include "samples/cli/gallery_page.h"
-#include "samples/cli/light.h"
+#include "samples/cli/options.h"
 #include "samples/cli/precision/figures.h"
 #include "samples/files/bytes.h"
 #include "samples/files/color.h"
+#include "tools/base/printable.h"
 
 extern "C" const uint8_t boxcar_aloeGT_png[], boxcar_aloeGT_png_end[];
 extern "C" const uint8_t boxcar_aloeL_jpg[], boxcar_aloeL_jpg_end[];
@@ -92,7 +94,7 @@ private:
     Texels Filtered(const Photograph& photograph, const FilterRequest& request, const Texels& widthMap) {
         Stats stats;
         return FilterPicture(m_device, photograph.picture, photograph.name, photograph.transfer, request, widthMap,
-                             SampleType::Unorm8, stats);
+                             SampleType::Unorm8, stats, PrintProblem);
     }
 
     // Writes `texels` as an 8-bit PNG and returns its figure.
@@ -342,7 +344,7 @@ void Gallery::WidthsFromAMap() {
 void Gallery::LensOnAPhotograph() {
     GallerySection section{
         "Depth of field on a photograph",
-        "Hensley 2005, sect. 5.3 (Fig. 9)",
+        "Hensley 2005, sect. 5.4 (Fig. 9)",
         "Each texel under its own circle of confusion, from the photograph's disparity. One table of the whole "
         "picture, so what is sharp bleeds: look "
         "for the green haze round the leaves.",
@@ -449,7 +451,7 @@ void MakeGallery(const GalleryOptions& options) {
 
 }  // namespace
 
-void AddGalleryCommand(CLI::App& app) {
+Command AddGalleryCommand(CLI::App& app) {
     const auto options = std::make_shared<GalleryOptions>();
     CLI::App& command =
         *app.add_subcommand("gallery", "Make the papers' figures as pictures, with a page to look at them");
@@ -459,7 +461,7 @@ void AddGalleryCommand(CLI::App& app) {
         ->type_name("WxH")
         ->capture_default_str();
     AddDeviceOptions(command, options->device);
-    command.callback([options] { MakeGallery(*options); });
+    return {&command, [options] { MakeGallery(*options); }};
 }
 
 }  // namespace boxcar

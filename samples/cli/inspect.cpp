@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/packing.hpp>
@@ -9,9 +10,9 @@
 #include <optional>
 
 #include "runtime/transfer.h"
+#include "samples/cli/commands.h"
 #include "samples/cli/console.h"
 #include "samples/cli/effect_run.h"
-#include "samples/cli/render.h"
 #include "tools/base/printable.h"
 
 namespace boxcar {
@@ -147,7 +148,7 @@ void Inspect(const InspectOptions& options) {
 
 }  // namespace
 
-void AddInspectCommand(CLI::App& app) {
+Command AddInspectCommand(CLI::App& app) {
     const auto options = std::make_shared<InspectOptions>();
     CLI::App& command = *app.add_subcommand("inspect", "Numbers of any image that an effect makes on its way");
     command.footer(
@@ -161,7 +162,7 @@ void AddInspectCommand(CLI::App& app) {
     command.add_option("--pixel", options->pixel, "A texel to print as well")->type_name("X,Y");
     command.add_option("-o,--output", options->output, "The image as an EXR file")->type_name("F.exr");
     command.add_flag("--json", options->json, "Print one JSON document");
-    command.callback([options] { Inspect(*options); });
+    return {&command, [options] { Inspect(*options); }};
 }
 
 }  // namespace boxcar

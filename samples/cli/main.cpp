@@ -7,18 +7,13 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <csignal>
 #include <sstream>
 
+#include "samples/cli/commands.h"
 #include "samples/cli/console.h"
-#include "samples/cli/devices.h"
-#include "samples/cli/dof.h"
-#include "samples/cli/filter.h"
-#include "samples/cli/gallery.h"
-#include "samples/cli/options.h"
-#include "samples/cli/precision/precision.h"
-#include "samples/cli/render.h"
-#include "samples/cli/resize.h"
+#include "tools/base/error.h"
 
 namespace {
 
@@ -45,14 +40,17 @@ void RequireCommand(const CLI::App& app, const std::string& word) {
 }
 
 // Does what the command line says; the help and the version are documents like others.
-void Run(CLI::App& app, int argc, char** argv) {
+void Run(CLI::App& app, const std::vector<boxcar::Command>& commands, int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& success) {
         std::ostringstream text;
         app.exit(success, text, text);
         boxcar::PrintDocument(text.str());
+        return;
     }
+    for (const boxcar::Command& command : commands)
+        if (command.parser->parsed()) command.run();
 }
 
 }  // namespace
@@ -64,22 +62,16 @@ int main(int argc, char** argv) {
     app.set_version_flag("--version", "boxcar " BOXCAR_VERSION);
     app.require_subcommand(1);
     app.footer("Example:\n  boxcar filter photo.jpg -o blurred.png --width 9\n\nboxcar COMMAND --help says more.");
-    boxcar::AddFilterCommand(app);
-    boxcar::AddDofCommand(app);
-    boxcar::AddSatCommand(app);
-    boxcar::AddResizeCommand(app);
-    boxcar::AddDeriveCommand(app);
-    boxcar::AddPrecisionCommand(app);
-    boxcar::AddGalleryCommand(app);
-    boxcar::AddRenderCommand(app);
-    boxcar::AddSweepCommand(app);
-    boxcar::AddInspectCommand(app);
-    boxcar::AddListCommand(app);
-    boxcar::AddFitLobeCommand(app);
-    boxcar::AddDevicesCommand(app);
+    const std::vector<boxcar::Command> commands = {
+        boxcar::AddFilterCommand(app),  boxcar::AddDofCommand(app),    boxcar::AddSatCommand(app),
+        boxcar::AddResizeCommand(app),  boxcar::AddDeriveCommand(app), boxcar::AddPrecisionCommand(app),
+        boxcar::AddGalleryCommand(app), boxcar::AddRenderCommand(app), boxcar::AddSweepCommand(app),
+        boxcar::AddInspectCommand(app), boxcar::AddListCommand(app),   boxcar::AddFitLobeCommand(app),
+        boxcar::AddDevicesCommand(app),
+    };
     try {
         if (argc > 1) RequireCommand(app, argv[1]);
-        Run(app, argc, argv);
+        Run(app, commands, argc, argv);
         return 0;
     } catch (const CLI::ParseError& error) {
         return Fail(2, error.what());

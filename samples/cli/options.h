@@ -7,16 +7,11 @@
 #include <string>
 
 #include "runtime/passes/blur.h"
+#include "samples/app/light.h"
 #include "samples/files/picture.h"
 #include "tools/base/error.h"
 
 namespace boxcar {
-
-// Light in, light out: how values in files become values that are filtered.
-enum class Transfer {
-    Srgb,  // 8 and 16-bit files hold sRGB codes and straight alpha, float files linear light and colors times alpha
-    Raw,   // values as they stand
-};
 
 struct DeviceOptions {
     std::string selector;

@@ -1,5 +1,6 @@
-#include "samples/cli/resize.h"
+#include "runtime/passes/resize.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -7,10 +8,10 @@
 #include <optional>
 
 #include "runtime/passes/quad_shaders.h"
-#include "runtime/passes/resize.h"
+#include "samples/app/device_run.h"
+#include "samples/app/light.h"
 #include "samples/cli/batch.h"
-#include "samples/cli/device_run.h"
-#include "samples/cli/light.h"
+#include "samples/cli/commands.h"
 
 namespace boxcar {
 namespace {
@@ -108,7 +109,7 @@ Stats Derive(Device& device, const Job& job, const DeriveOptions& options) {
 
 }  // namespace
 
-void AddResizeCommand(CLI::App& app) {
+Command AddResizeCommand(CLI::App& app) {
     const auto options = std::make_shared<ResizeOptions>();
     CLI::App& command =
         *app.add_subcommand("resize", "A picture at another size, under filters of up to third order");
@@ -129,16 +130,17 @@ void AddResizeCommand(CLI::App& app) {
                     "nearest, linear, bspline (smooths), interpolating-bspline (default) or catmull-rom")
         ->check(CLI::IsMember(kFilters))
         ->type_name("F");
-    command.callback([options] {
-        if (options->extent.empty() && !options->scale) throw UsageError("resize takes --size WxH or --scale S");
-        if (options->scale && !(*options->scale >= 0.0001 && *options->scale <= 16384))
-            throw UsageError("--scale {:g}: expected a number from 0.0001 to 16384", *options->scale);
-        RunBatch("resize", *options, PlanJobs(options->files),
-                 [&](Device& device, const Job& job) { return ResizePicture(device, job, *options); });
-    });
+    return {&command, [options] {
+                if (options->extent.empty() && !options->scale)
+                    throw UsageError("resize takes --size WxH or --scale S");
+                if (options->scale && !(*options->scale >= 0.0001 && *options->scale <= 16384))
+                    throw UsageError("--scale {:g}: expected a number from 0.0001 to 16384", *options->scale);
+                RunBatch("resize", *options, PlanJobs(options->files),
+                         [&](Device& device, const Job& job) { return ResizePicture(device, job, *options); });
+            }};
 }
 
-void AddDeriveCommand(CLI::App& app) {
+Command AddDeriveCommand(CLI::App& app) {
     const auto options = std::make_shared<DeriveOptions>();
     CLI::App& command = *app.add_subcommand("derive", "Derivatives of a picture under the cubic B-spline");
     command.footer(
@@ -154,10 +156,10 @@ void AddDeriveCommand(CLI::App& app) {
         ->required()
         ->check(CLI::IsMember({"dx", "dy", "dxx", "dxy", "dyy", "gradient", "curvature"}))
         ->type_name("D");
-    command.callback([options] {
-        RunBatch("derive", *options, PlanJobs(options->files),
-                 [&](Device& device, const Job& job) { return Derive(device, job, *options); });
-    });
+    return {&command, [options] {
+                RunBatch("derive", *options, PlanJobs(options->files),
+                         [&](Device& device, const Job& job) { return Derive(device, job, *options); });
+            }};
 }
 
 }  // namespace boxcar

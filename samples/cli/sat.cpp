@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -7,11 +8,11 @@
 
 #include "runtime/passes/mean.h"
 #include "runtime/passes/sat_filter.h"
+#include "samples/app/codes.h"
+#include "samples/app/device_run.h"
+#include "samples/app/light.h"
 #include "samples/cli/batch.h"
-#include "samples/cli/codes.h"
-#include "samples/cli/device_run.h"
-#include "samples/cli/filter.h"
-#include "samples/cli/light.h"
+#include "samples/cli/commands.h"
 
 namespace boxcar {
 namespace {
@@ -158,7 +159,7 @@ Stats WriteTable(Device& device, const Job& job, const SatOptions& options) {
 
 }  // namespace
 
-void AddSatCommand(CLI::App& app) {
+Command AddSatCommand(CLI::App& app) {
     const auto options = std::make_shared<SatOptions>();
     CLI::App& command = *app.add_subcommand("sat", "Write the summed-area table of a picture");
     command.footer(
@@ -180,21 +181,22 @@ void AddSatCommand(CLI::App& app) {
         ->type_name("N");
     command.add_flag("--explain", options->explain,
                      "Print to stderr what was summed, the bias, and how many bits such a table needs");
-    command.callback([options] {
-        RequireFloatOptionsFit(options->table, SATPrecision::FP32, SATOrigin::LowerLeft);
-        const bool isFloat = PrecisionOf(options->table).value_or(SATPrecision::FP32) == SATPrecision::FP32;
-        if (isFloat && options->order > 1)
-            throw UsageError("--order {} with --precision fp32: floats hold order 1; use u32 or u64", options->order);
-        const std::vector<Job> jobs = PlanJobs(options->files);
-        for (const Job& job : jobs) {
-            if (!isFloat && job.format != FileFormat::Exr)
-                throw UsageError("-o {}: a table of integers is written as .exr", job.output);
-            if (job.format != FileFormat::Exr && job.format != FileFormat::Pfm)
-                throw UsageError("-o {}: a table needs a float format, .exr or .pfm", job.output);
-        }
-        RunBatch("sat", *options, jobs,
-                 [&](Device& device, const Job& job) { return WriteTable(device, job, *options); });
-    });
+    return {&command, [options] {
+                RequireFloatOptionsFit(options->table, SATPrecision::FP32, SATOrigin::LowerLeft);
+                const bool isFloat = PrecisionOf(options->table).value_or(SATPrecision::FP32) == SATPrecision::FP32;
+                if (isFloat && options->order > 1)
+                    throw UsageError("--order {} with --precision fp32: floats hold order 1; use u32 or u64",
+                                     options->order);
+                const std::vector<Job> jobs = PlanJobs(options->files);
+                for (const Job& job : jobs) {
+                    if (!isFloat && job.format != FileFormat::Exr)
+                        throw UsageError("-o {}: a table of integers is written as .exr", job.output);
+                    if (job.format != FileFormat::Exr && job.format != FileFormat::Pfm)
+                        throw UsageError("-o {}: a table needs a float format, .exr or .pfm", job.output);
+                }
+                RunBatch("sat", *options, jobs,
+                         [&](Device& device, const Job& job) { return WriteTable(device, job, *options); });
+            }};
 }
 
 }  // namespace boxcar

@@ -2,12 +2,13 @@
 #include <stb_easy_font.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 
+#include "samples/cli/commands.h"
 #include "samples/cli/effect_run.h"
 #include "samples/cli/outputs.h"
-#include "samples/cli/render.h"
 
 namespace boxcar {
 namespace {
@@ -153,7 +154,7 @@ void Sweep(const SweepOptions& options) {
 
 }  // namespace
 
-void AddSweepCommand(CLI::App& app) {
+Command AddSweepCommand(CLI::App& app) {
     const auto options = std::make_shared<SweepOptions>();
     CLI::App& command = *app.add_subcommand("sweep", "An effect at several values of a parameter, side by side");
     command.footer(
@@ -163,7 +164,7 @@ void AddSweepCommand(CLI::App& app) {
     AddSamplesOption(command, *options);
     command.add_option("-o,--output", options->output, "The sheet")->required()->type_name("OUT");
     AddFormatOption(command, options->formatWord);
-    command.callback([options] { Sweep(*options); });
+    return {&command, [options] { Sweep(*options); }};
 }
 
 }  // namespace boxcar

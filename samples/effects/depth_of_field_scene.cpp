@@ -18,6 +18,7 @@
 #include "runtime/passes/mip_chain.h"
 #include "runtime/passes/quad_shaders.h"
 #include "runtime/transfer.h"
+#include "samples/effects/effect_shader.h"
 #include "samples/effects/effects.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/shapes.h"
@@ -84,7 +85,7 @@ private:
 };
 
 PipelineDesc LensShaders(int hidden) {
-    PipelineDesc desc = SceneShaders(fmt::format("lens_scene.ps.HIDDEN={}", hidden));
+    PipelineDesc desc = SceneShaders(EffectShader(fmt::format("lens_scene.ps.HIDDEN={}", hidden)));
     desc.cull = Cull::Back;  // a thing's own back is not what it hides
     return desc;
 }
@@ -134,7 +135,7 @@ private:
 class Mips {
 public:
     Mips(Device& device, Extent2D extent)
-        : m_look(device, QuadShaders("lens_mips.ps")),
+        : m_look(device, QuadShaders(EffectShader("lens_mips.ps"))),
           m_chain(device, extent),
           m_result(device, {extent, Format::RGBA32F, "picture"}) {}
 
@@ -159,7 +160,7 @@ private:
 class Accumulation {
 public:
     Accumulation(Device& device, Extent2D extent)
-        : m_add(device, QuadShaders("lens_views.ps")), m_sum(device, {extent, Format::RGBA32F, "sum"}) {
+        : m_add(device, QuadShaders(EffectShader("lens_views.ps"))), m_sum(device, {extent, Format::RGBA32F, "sum"}) {
         for (uint32_t i = 0; i < kAtOnce; i++)
             m_views.emplace_back(device, ImageDesc{extent, Format::RGBA32F, "view"});
     }
@@ -222,7 +223,7 @@ private:
         camera.eyeWorld.x = 0.35f * std::sin(static_cast<float>(frame.timeSeconds));
 
         const auto draw = [&](const Pipeline& pipeline, const Image& target, glm::vec2 pointWorld) {
-            const SceneObject object{.mesh = &m_scene.Triangles(), .optionA = frame.values["object"]};
+            const SceneObject object{.mesh = &m_scene.Triangles()};
             Pass pass{.name = target.Desc().name,
                       .pipeline = pipeline,
                       .reads = {{"palette", &m_scene.Palette()}},
@@ -232,7 +233,9 @@ private:
                       .clearsDepth = true};
             if (m_hidden && &target == &*m_hidden) pass.reads.push_back({"nearest", &m_nearest});
             DrawObjects(commands, pass, std::span(&object, 1), ClipFromLens(camera, extent, pointWorld, focusWorld),
-                        camera.eyeWorld);
+                        camera.eyeWorld, [&](const SceneConstants& scene, const SceneObject&) {
+                            return LensSceneConstants{scene, frame.values["object"]};
+                        });
         };
         if (m_accumulation)
             return m_accumulation->Record(commands, [&](const Image& target, uint32_t view) {
@@ -279,37 +282,29 @@ private:
 }  // namespace
 
 EffectInfo DepthOfFieldInfo() {
-    return {.name = "depth-of-field",
-            .what = "What is before and behind the focus of a lens, blurred by its distance",
-            .paper = "Hensley 2005, sect. 5.4, Fig. 9; layers: beyond the papers",
-            .lookFor =
-                "layered: the sharp object keeps its light to itself, and what is near has soft rims; single: "
-                "the sharp object glows into the background",
-            .parameters = {{.name = "method",
-                            .what = "How the picture is made",
-                            .unit = "",
-                            .choices = {"layered", "single", "mips", "noise", "accumulation", "sharp"},
-                            .isFixed = true},
-                           {"focus", "Depth of what is sharp", "world units", 1.5f, 40, 5},
-                           {"lens", "Diameter of the lens", "world units", 0, 2, 0.2f},
-                           {"object", "Brightness of the object in the middle", "", 0, 2, 1},
-                           {.name = "layers",
-                            .what = "Layers of depth on either side of the focus",
-                            .unit = "",
-                            .minimum = 1,
-                            .maximum = 16,
-                            .initial = 7,
-                            .isWhole = true},
-                           {.name = "boxes",
-                            .what = "Boxes that stand for a circle",
-                            .unit = "",
-                            .minimum = 1,
-                            .maximum = 32,
-                            .initial = 8,
-                            .isWhole = true,
-                            .isFixed = true}},
-            .takesMesh = true,
-            .make = MakeEffect<DepthOfFieldScene>};
+    return {
+        .name = "depth-of-field",
+        .what = "What lies in front of and behind the focus of a lens, blurred by its distance from it",
+        .paper = "Hensley 2005, sect. 5.4, Fig. 9; layers: beyond the papers",
+        .lookFor =
+            "layered: the sharp object keeps its light to itself, and what is near has soft edges; single: "
+            "the sharp object glows into the background",
+        .parameters = {Parameter::Choice("method", "How the picture is made",
+                                         {"layered", "single", "mips", "noise", "accumulation", "sharp"}, "layered")
+                           .Fixed(),
+                       Parameter::Number("focus", "Depth at which things are sharp",
+                                         {.minimum = 1.5f, .maximum = 40, .initial = 5, .unit = "world units"}),
+                       Parameter::Number("lens", "Diameter of the lens",
+                                         {.maximum = 2, .initial = 0.2f, .unit = "world units"}),
+                       Parameter::Number("object", "Brightness of the object in the middle",
+                                         {.maximum = 2, .initial = 1}),
+                       Parameter::Whole("layers", "Layers of depth on either side of the focus",
+                                        {.minimum = 1, .maximum = 16, .initial = 7}),
+                       Parameter::Whole("boxes", "Number of boxes that stand for a circle",
+                                        {.minimum = 1, .maximum = 32, .initial = 8})
+                           .Fixed()},
+        .takesMesh = true,
+        .make = MakeEffect<DepthOfFieldScene>};
 }
 
 }  // namespace boxcar

@@ -38,6 +38,35 @@ float Parse(const Parameter& parameter, std::string_view text) {
 
 }  // namespace
 
+Parameter Parameter::Number(std::string_view name, std::string_view what, const Range& range) {
+    return {.name = name,
+            .what = what,
+            .unit = range.unit,
+            .minimum = range.minimum,
+            .maximum = range.maximum,
+            .initial = range.initial};
+}
+
+Parameter Parameter::Whole(std::string_view name, std::string_view what, const Range& range) {
+    Parameter whole = Number(name, what, range);
+    whole.isWhole = true;
+    return whole;
+}
+
+Parameter Parameter::Choice(std::string_view name, std::string_view what, std::vector<std::string_view> words,
+                            std::string_view initial) {
+    const auto found = std::ranges::find(words, initial);
+    BOXCAR_ASSERT(found != words.end());
+    const auto index = static_cast<float>(found - words.begin());
+    return {.name = name, .what = what, .unit = {}, .initial = index, .choices = std::move(words)};
+}
+
+Parameter Parameter::Fixed() const {
+    Parameter fixed = *this;
+    fixed.isFixed = true;
+    return fixed;
+}
+
 ParameterValues::ParameterValues(std::span<const Parameter> parameters) : m_parameters(parameters) {
     for (const Parameter& parameter : parameters)
         m_values.push_back(parameter.initial);

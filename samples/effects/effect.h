@@ -6,6 +6,8 @@
 // Non-goals: composition of effects; anything that is prefiltered before the first frame.
 #pragma once
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <span>
 #include <string>
@@ -16,20 +18,63 @@
 #include "runtime/passes/texel_words.h"
 #include "samples/files/volume.h"
 #include "samples/scenes/environment.h"
+#include "tools/base/error.h"
 
 namespace boxcar {
 
-// Something about an effect that can be set.
+// A word on the command line, and what it stands for.
+template <typename T>
+struct Word {
+    std::string_view word;
+    T value;
+};
+
+// What `word`, one of the table's, stands for.
+template <typename T, size_t N>
+const T& ValueOf(const Word<T> (&table)[N], std::string_view word) {
+    const auto found = std::ranges::find(table, word, &Word<T>::word);
+    BOXCAR_ASSERT(found != std::end(table));
+    return found->value;
+}
+
+// Something about an effect that can be set: a number, a whole number, or one of some words.
 struct Parameter {
+    struct Range {
+        float minimum = 0;
+        float maximum = 1;
+        float initial = 0;
+        std::string_view unit = {};  // "texels", "degrees", ..; empty for a bare number
+    };
+
+    static Parameter Number(std::string_view name, std::string_view what, const Range& range);
+    static Parameter Whole(std::string_view name, std::string_view what, const Range& range);
+
+    // initial: one of the words.
+    static Parameter Choice(std::string_view name, std::string_view what, std::vector<std::string_view> words,
+                            std::string_view initial);
+
+    // The words of a table; ValueOf(table, ParameterValues::Choice(name)) is what the chosen one stands for.
+    template <typename T, size_t N>
+    static Parameter Choice(std::string_view name, std::string_view what, const Word<T> (&table)[N],
+                            std::string_view initial) {
+        std::vector<std::string_view> words;
+        for (const Word<T>& one : table)
+            words.push_back(one.word);
+        return Choice(name, what, std::move(words), initial);
+    }
+
+    // The same, but it must be known when the effect is made; the others may change every frame.
+    Parameter Fixed() const;
+
     std::string_view name;
     std::string_view what;
-    std::string_view unit;  // "texels", "degrees", ..; empty for a choice or a bare number
+    std::string_view unit;
     float minimum = 0;
     float maximum = 1;
     float initial = 0;                           // of a choice: its index
     std::vector<std::string_view> choices = {};  // not empty: one of these words; minimum and maximum do not count
-    bool isWhole = false;                        // a whole number
-    bool isFixed = false;                        // known when the effect is made; the others may change every frame
+    bool isWhole = false;
+    bool isFixed = false;
 };
 
 // A value for each parameter of an effect.

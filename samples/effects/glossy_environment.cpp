@@ -8,9 +8,11 @@
 #include <cmath>
 
 #include "hlsl/boxcar/dual_paraboloid_range.h"
+#include "hlsl/constants/effect_constants.h"
 #include "runtime/passes/dual_paraboloid.h"
 #include "runtime/passes/quad_shaders.h"
 #include "runtime/transfer.h"
+#include "samples/effects/effect_shader.h"
 #include "samples/effects/effects.h"
 #include "samples/scenes/shapes.h"
 #include "samples/scenes/surroundings.h"
@@ -21,19 +23,18 @@ namespace {
 constexpr float kBrightestObject = 2;
 constexpr float kLargestWidth = 128;
 
-uint32_t OrderOf(std::string_view lobe) {
-    return lobe == "tent" ? 2 : lobe == "parabolic" ? 3 : 1;
-}
+// How an object reflects.
+struct Reflection {
+    const char* pixelShader;
+    uint32_t order = 1;        // of the tables
+    bool readsFloats = false;  // the papers' tables
+};
 
-PipelineDesc ReflectionShaders(std::string_view lobe) {
-    const std::string pixel = lobe == "papers"      ? "glossy_papers.ps"
-                              : lobe == "box"       ? "glossy.ps.LOBE=BOX"
-                              : lobe == "stack"     ? "glossy.ps.LOBE=STACK"
-                              : lobe == "tent"      ? "glossy.ps.LOBE=ORDER2"
-                              : lobe == "parabolic" ? "glossy.ps.LOBE=ORDER3"
-                                                    : "phong.ps";
-    return SceneShaders(pixel);
-}
+constexpr Word<Reflection> kLobes[] = {{"box", {"glossy.ps.LOBE=BOX"}},
+                                       {"stack", {"glossy.ps.LOBE=STACK"}},
+                                       {"tent", {.pixelShader = "glossy.ps.LOBE=ORDER2", .order = 2}},
+                                       {"parabolic", {.pixelShader = "glossy.ps.LOBE=ORDER3", .order = 3}},
+                                       {"papers", {.pixelShader = "glossy_papers.ps", .readsFloats = true}}};
 
 // Red: 1, or waves between a mirror and the full width.
 Image GlossTexture(Device& device, bool isUniform) {
@@ -52,7 +53,7 @@ Image GlossTexture(Device& device, bool isUniform) {
 
 // With tables of what rounding left over; orders 2 and 3.
 PipelineDesc FineReflectionShaders(uint32_t order) {
-    return SceneShaders(fmt::format("glossy.ps.LOBE=ORDER{}.FINE=1", order));
+    return SceneShaders(EffectShader(fmt::format("glossy.ps.LOBE=ORDER{}.FINE=1", order)));
 }
 
 // The largest box of a lobe's kernels, anywhere on the faces.
@@ -68,7 +69,7 @@ uint32_t LargestBox(uint32_t order, uint32_t side, float widthTexels) {
 // The papers' tables: floats, what is outside of the disc 0.
 struct FloatTables {
     FloatTables(Device& device, uint32_t side)
-        : mask(device, QuadShaders("dp_mask.ps")),
+        : mask(device, QuadShaders(EffectShader("dp_mask.ps"))),
           masked(device, {{side, side}, Format::RGBA32F, "masked face"}),
           front(device, {.extent = {side, side}}),
           back(device, {.extent = {side, side}}) {}
@@ -91,24 +92,31 @@ Camera CameraAt(float time) {
 
 // What a frame shows.
 struct ReflectionFrame {
-    float widthTexels = 0;  // optionA of the shaders
-    glm::vec3 albedo{1};    // or what phong.ps makes of it
+    float widthTexels = 0;  // of the lobe
+    glm::vec3 albedo{1};
     bool hasMovingObjects = false;
     bool hasGlossTexture = false;
+};
+
+// What the object's pixel shader reads of a frame, and what it must know of it.
+struct Tables {
+    std::vector<Read> reads;
+    float codeScale = 0;         // what 1 is in codes; 0 for floats
+    uint32_t largestTexels = 0;  // width of the widest box that they hold; 0 for floats
 };
 
 // The chain of both effects, which differ in the object's pixel shader.
 class EnvironmentReflection : public Effect {
 protected:
-    EnvironmentReflection(Device& device, const EffectInputs& inputs, uint32_t side, std::string_view lobe,
+    EnvironmentReflection(Device& device, const EffectInputs& inputs, uint32_t side, const Reflection& reflection,
                           DPMapping mapping)
         : m_device(device),
           m_side(side),
-          m_order(OrderOf(lobe)),
+          m_order(reflection.order),
           m_surroundings(device, inputs.environment, side),
           m_paraboloid(device, side, mapping),
-          m_reflecting(device, ReflectionShaders(lobe)),
-          m_matt(device, SceneShaders("scene.ps")),
+          m_reflecting(device, SceneShaders(EffectShader(reflection.pixelShader))),
+          m_matt(device, MattShaders()),
           m_object(UploadMesh(device, StandingMesh(inputs.mesh, {CameraAt(0), inputs.extent, glm::vec3(0), 1, 0.5f}),
                               "object")),
           m_sphere(UploadMesh(device, Sphere(1, 48, 24), "sphere")),
@@ -116,7 +124,7 @@ protected:
           m_waves(GlossTexture(device, false)),
           m_picture(device, {inputs.extent, Format::RGBA32F, "picture"}),
           m_depth(device, {inputs.extent, Format::Depth32F, "depth"}) {
-        if (lobe == "papers")
+        if (reflection.readsFloats)
             m_floats.emplace(device, side);
         else
             m_tables.emplace(device, DualParaboloidTablesDesc{
@@ -129,6 +137,11 @@ protected:
 private:
     virtual ReflectionFrame Chosen(const ParameterValues& values) const = 0;
 
+    // The object, with the constants of its pixel shader.
+    virtual void DrawReflecting(CommandList& commands, const Pass& pass, const SceneObject& object,
+                                const glm::mat4& clipFromWorld, glm::vec3 eyeWorld, const ParameterValues& values,
+                                const Tables& tables) const = 0;
+
     const Image& Draw(CommandList& commands, const Frame& frame) override {
         const ReflectionFrame chosen = Chosen(frame.values);
         const auto time = static_cast<float>(frame.timeSeconds);
@@ -140,17 +153,17 @@ private:
 
         const Camera camera = CameraAt(time);
         const glm::mat4 clip = ClipFromWorld(camera, m_picture.Extent());
-        SceneObject object{.mesh = &m_object, .albedo = chosen.albedo, .optionA = chosen.widthTexels};
-        std::vector<Read> reads = ReadTables(commands, faces, object);
+        const SceneObject object{.mesh = &m_object, .albedo = chosen.albedo};
+        Tables tables = ReadTables(commands, faces, chosen.widthTexels);
         Pass pass{.name = "object",
                   .pipeline = m_isFine ? *m_reflectingFine : m_reflecting,
-                  .reads = std::move(reads),
+                  .reads = std::move(tables.reads),
                   .writes = {&m_picture},
                   .depth = &m_depth,
                   .clearsDepth = true};
         pass.reads.push_back({"gloss", chosen.hasGlossTexture ? &m_waves : &m_uniform});
         m_surroundings.DrawBackdrop(commands, camera, m_picture);
-        DrawObjects(commands, pass, std::span(&object, 1), clip, camera.eyeWorld);
+        DrawReflecting(commands, pass, object, clip, camera.eyeWorld, frame.values, tables);
         DrawObjects(commands, {.name = "around", .pipeline = m_matt, .writes = {&m_picture}, .depth = &m_depth},
                     around, clip, camera.eyeWorld);
         return m_picture;
@@ -171,15 +184,12 @@ private:
         return objects;
     }
 
-    // Builds the tables; their scale goes into the object's options.
-    std::vector<Read> ReadTables(CommandList& commands, const DualParaboloidFaces& faces, SceneObject& object) {
+    Tables ReadTables(CommandList& commands, const DualParaboloidFaces& faces, float widthTexels) {
         if (m_floats)
-            return {{"frontTable", &m_floats->Record(commands, m_floats->front, *faces.front)},
-                    {"backTable", &m_floats->Record(commands, m_floats->back, *faces.back)}};
-        const uint32_t largestTexels = LargestBox(m_order, m_side, object.optionA);
+            return {{{"frontTable", &m_floats->Record(commands, m_floats->front, *faces.front)},
+                     {"backTable", &m_floats->Record(commands, m_floats->back, *faces.back)}}};
+        const uint32_t largestTexels = LargestBox(m_order, m_side, widthTexels);
         const DualParaboloidSums sums = m_tables->Record(commands, faces, largestTexels);
-        object.optionB = sums.codeScale;
-        object.optionC = static_cast<float>(largestTexels);
         std::vector<Read> reads{{"frontLow", sums.tables.front.low},
                                 {"frontHigh", sums.tables.front.high},
                                 {"backLow", sums.tables.back.low},
@@ -187,7 +197,7 @@ private:
         AddTableStages("front-table", sums.tables.front);
         AddTableStages("back-table", sums.tables.back);
         m_isFine = sums.fine.has_value();
-        if (!m_isFine) return reads;
+        if (!m_isFine) return {std::move(reads), sums.codeScale, largestTexels};
         if (!m_reflectingFine) m_reflectingFine.emplace(m_device, FineReflectionShaders(m_order));
         AddTableStages("front-table-fine", sums.fine->front);
         AddTableStages("back-table-fine", sums.fine->back);
@@ -195,7 +205,7 @@ private:
                                    {"fineFrontHigh", sums.fine->front.high},
                                    {"fineBackLow", sums.fine->back.low},
                                    {"fineBackHigh", sums.fine->back.high}});
-        return reads;
+        return {std::move(reads), sums.codeScale, largestTexels};
     }
 
     Device& m_device;
@@ -214,7 +224,8 @@ private:
 class GlossyEnvironment : public EnvironmentReflection {
 public:
     GlossyEnvironment(Device& device, const EffectInputs& inputs, const ParameterValues& values)
-        : EnvironmentReflection(device, inputs, static_cast<uint32_t>(values.Whole("face")), values.Choice("lobe"),
+        : EnvironmentReflection(device, inputs, static_cast<uint32_t>(values.Whole("face")),
+                                ValueOf(kLobes, values.Choice("lobe")),
                                 values.Choice("mapping") == "lookup" ? DPMapping::Lookup : DPMapping::Arithmetic) {}
 
 private:
@@ -224,21 +235,48 @@ private:
                 .hasMovingObjects = values.Choice("source") == "scene",
                 .hasGlossTexture = values.Choice("gloss") == "texture"};
     }
+
+    void DrawReflecting(CommandList& commands, const Pass& pass, const SceneObject& object,
+                        const glm::mat4& clipFromWorld, glm::vec3 eyeWorld, const ParameterValues& values,
+                        const Tables& tables) const override {
+        DrawObjects(commands, pass, std::span(&object, 1), clipFromWorld, eyeWorld,
+                    [&](const SceneConstants& scene, const SceneObject&) {
+                        return GlossyConstants{.scene = scene,
+                                               .widthTexels = values["width"],
+                                               .codeScale = tables.codeScale,
+                                               .largestTexels = static_cast<int>(tables.largestTexels)};
+                    });
+    }
 };
 
 class PhongEnvironment : public EnvironmentReflection {
 public:
     PhongEnvironment(Device& device, const EffectInputs& inputs, const ParameterValues& values)
-        : EnvironmentReflection(device, inputs, static_cast<uint32_t>(values.Whole("face")), "phong",
+        : EnvironmentReflection(device, inputs, static_cast<uint32_t>(values.Whole("face")), {"phong.ps"},
                                 DPMapping::Arithmetic) {}
 
 private:
-    ReflectionFrame Chosen(const ParameterValues& values) const override {
-        return {.albedo = {values["exponent"], values["shine"], values["boxes"]}};
+    ReflectionFrame Chosen(const ParameterValues&) const override { return {.albedo = {0.62f, 0.30f, 0.20f}}; }
+
+    void DrawReflecting(CommandList& commands, const Pass& pass, const SceneObject& object,
+                        const glm::mat4& clipFromWorld, glm::vec3 eyeWorld, const ParameterValues& values,
+                        const Tables& tables) const override {
+        DrawObjects(commands, pass, std::span(&object, 1), clipFromWorld, eyeWorld,
+                    [&](const SceneConstants& scene, const SceneObject&) {
+                        return PhongConstants{.scene = scene,
+                                              .exponent = values["exponent"],
+                                              .shine = values["shine"],
+                                              .boxes = values.Whole("boxes"),
+                                              .codeScale = tables.codeScale};
+                    });
     }
 };
 
-constexpr Parameter kFace{"face", "Side of a face of the paraboloid map", "texels", 16, 1024, 256, {}, true, true};
+Parameter FaceParameter() {
+    return Parameter::Whole("face", "Side of a face of the paraboloid map",
+                            {.minimum = 16, .maximum = 1024, .initial = 256, .unit = "texels"})
+        .Fixed();
+}
 
 }  // namespace
 
@@ -248,35 +286,22 @@ EffectInfo GlossyEnvironmentInfo() {
         .what = "An object that reflects its surroundings, blurred by a lobe of any width",
         .paper = "Hensley 2005, sect. 5.1, Figs 5 and 6; Scheuermann 2005",
         .lookFor = "the reflection stays smooth at every width and over the seam of the two faces",
-        .parameters = {{"width", "Width of the box at a face's middle; at the most 45 degrees to either side",
-                        "texels", 1, kLargestWidth, 24},
-                       {"lobe",
-                        "Kernel: one box, four boxes, a tent, a parabola, or the papers' box of one size in floats",
-                        "",
-                        0,
-                        0,
-                        1,
-                        {"box", "stack", "tent", "parabolic", "papers"},
-                        false,
-                        true},
-                       {"gloss", "One width everywhere, or from a texture", "", 0, 0, 0, {"uniform", "texture"}},
-                       {"source",
-                        "The environment alone, or with objects that move in it",
-                        "",
-                        0,
-                        0,
-                        0,
-                        {"environment", "scene"}},
-                       {"mapping",
-                        "Directions computed, or from a lookup texture",
-                        "",
-                        0,
-                        0,
-                        0,
-                        {"arithmetic", "lookup"},
-                        false,
-                        true},
-                       kFace},
+        .parameters =
+            {Parameter::Number("width", "Width of the box at the middle of a face; at most 45 degrees to either side",
+                               {.minimum = 1, .maximum = kLargestWidth, .initial = 24, .unit = "texels"}),
+             Parameter::Choice(
+                 "lobe",
+                 "Kernel: one box, four boxes, a tent, a parabola, or the papers' box of one size, summed in floats",
+                 kLobes, "stack")
+                 .Fixed(),
+             Parameter::Choice("gloss", "One width everywhere, or widths from a texture", {"uniform", "texture"},
+                               "uniform"),
+             Parameter::Choice("source", "The environment alone, or with objects moving in it",
+                               {"environment", "scene"}, "environment"),
+             Parameter::Choice("mapping", "Directions computed, or from a lookup texture", {"arithmetic", "lookup"},
+                               "arithmetic")
+                 .Fixed(),
+             FaceParameter()},
         .takesEnvironment = true,
         .takesMesh = true,
         .isHighRange = true,
@@ -284,18 +309,21 @@ EffectInfo GlossyEnvironmentInfo() {
 }
 
 EffectInfo PhongEnvironmentInfo() {
-    return {.name = "phong-environment",
-            .what = "The Phong model under light from all around",
-            .paper = "Hensley 2005, sect. 5.1.2, Fig. 7",
-            .lookFor = "matt light comes from boxes round the normal, the highlight from boxes round the reflection",
-            .parameters = {{"exponent", "Of the highlight's lobe cos^n", "", 7, 1000, 60},
-                           {"shine", "The highlight's share of the light", "", 0, 1, 0.35f},
-                           {"boxes", "In each of the two stacks", "", 1, 6, 2, {}, true},
-                           kFace},
-            .takesEnvironment = true,
-            .takesMesh = true,
-            .isHighRange = true,
-            .make = MakeEffect<PhongEnvironment>};
+    return {
+        .name = "phong-environment",
+        .what = "The Phong model under light from all around",
+        .paper = "Hensley 2005, sect. 5.1.2, Fig. 7",
+        .lookFor = "diffuse light comes from boxes around the normal, the highlight from boxes around the reflection",
+        .parameters = {Parameter::Number("exponent", "Exponent n of the highlight's lobe, cos^n",
+                                         {.minimum = 7, .maximum = 1000, .initial = 60}),
+                       Parameter::Number("shine", "The highlight's share of the light", {.initial = 0.35f}),
+                       Parameter::Whole("boxes", "Number of boxes in each of the two stacks",
+                                        {.minimum = 1, .maximum = 6, .initial = 2}),
+                       FaceParameter()},
+        .takesEnvironment = true,
+        .takesMesh = true,
+        .isHighRange = true,
+        .make = MakeEffect<PhongEnvironment>};
 }
 
 }  // namespace boxcar

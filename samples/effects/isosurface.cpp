@@ -15,6 +15,7 @@
 #include "hlsl/constants/isosurface_constants.h"
 #include "runtime/passes/quad_shaders.h"
 #include "runtime/transfer.h"
+#include "samples/effects/effect_shader.h"
 #include "samples/effects/effects.h"
 #include "tools/base/error.h"
 
@@ -24,6 +25,12 @@ namespace {
 constexpr uint32_t kBlockCells = ISOSURFACE_BLOCK_CELLS;
 constexpr float kViewRadians = 0.45f;
 constexpr float kTurnDegreesPerSecond = 20;
+
+constexpr Word<int> kShades[] = {{"phong", ISOSURFACE_PHONG},
+                                 {"curvature", ISOSURFACE_CURVATURE},
+                                 {"ridges", ISOSURFACE_RIDGES},
+                                 {"normal", ISOSURFACE_NORMAL},
+                                 {"maximum", ISOSURFACE_MAXIMUM}};
 
 Image Upload(Device& device, const Volume& volume) {
     BOXCAR_ASSERT(!volume.voxels.empty());
@@ -60,8 +67,8 @@ struct Ball {
 
 struct FilterPipelines {
     FilterPipelines(Device& device, const std::string& filter)
-        : march(device, QuadShaders("isosurface_march.ps.FILTER=" + filter)),
-          shade(device, QuadShaders("isosurface_shade.ps.FILTER=" + filter)) {}
+        : march(device, QuadShaders(EffectShader("isosurface_march.ps.FILTER=" + filter))),
+          shade(device, QuadShaders(EffectShader("isosurface_shade.ps.FILTER=" + filter))) {}
 
     Pipeline march, shade;
 };
@@ -79,7 +86,7 @@ public:
           m_tricubic(device, "TRICUBIC"),
           m_hits(device, {inputs.extent, Format::RGBA32F, "points"}),
           m_picture(device, {inputs.extent, Format::RGBA32F, "picture"}) {
-        const Pipeline pipeline(device, QuadShaders("isosurface_blocks.ps"));
+        const Pipeline pipeline(device, QuadShaders(EffectShader("isosurface_blocks.ps")));
         const IsosurfaceBlocksConstants constants{static_cast<int>(m_grid.across)};
         CommandList commands(device);
         commands.Draw({.name = "blocks",
@@ -129,7 +136,7 @@ private:
         AddStage("points", m_hits);
         const IsosurfaceShadeConstants shade{
             .eyeMillimetres = eye,
-            .shade = frame.values.Whole("shade"),
+            .shade = ValueOf(kShades, frame.values.Choice("shade")),
             .voxelMillimetres = m_millimetres,
             .radiusMillimetres = frame.values["radius"],
             .lightMillimetres = glm::normalize(0.7f * toEye - 0.55f * right + 0.75f * up),
@@ -188,30 +195,32 @@ private:
 }  // namespace
 
 EffectInfo IsosurfaceInfo() {
-    return {.name = "isosurface",
-            .what = "The surface of one value of a volume, by rays; trilinear or tricubic, with its curvatures",
-            .paper = "Sigg 2005, sect. 20.4, Figs 20-4 and 20-5",
-            .lookFor = "tricubic is smooth where trilinear shows the voxels; valleys are dark and ridges light",
-            .parameters = {{.name = "filter",
-                            .what = "Of the voxels",
-                            .unit = "",
-                            .initial = 1,
-                            .choices = {"trilinear", "tricubic"}},
-                           {.name = "shade",
-                            .what = "Light alone, a color for each pair of curvatures, ridges and valleys, normals, "
-                                    "or the larger curvature",
-                            .unit = "",
-                            .choices = {"phong", "curvature", "ridges", "normal", "maximum"}},
-                           {"iso", "The surface's value, in the volume's units", "", -1e6f, 1e6f, 92},
-                           {"step", "Along a ray, from look to look", "voxels", 0.1f, 2, 0.5f},
-                           {"radius", "Of a curvature that has its full color", "mm", 0.1f, 1000, 3},
-                           {"turn",
-                            "Of the eye round the z axis; at 0 it looks at the front (+y), at 90 at the right (+x)",
-                            "degrees", -180, 180, -125},
-                           {"elevation", "Of the eye over the x-y plane", "degrees", -90, 90, 25},
-                           {"zoom", "1 shows all of it", "", 0.1f, 20, 1}},
-            .takesVolume = true,
-            .make = MakeEffect<Isosurface>};
+    return {
+        .name = "isosurface",
+        .what = "The surface of one value of a volume, by rays; trilinear or tricubic, with its curvatures",
+        .paper = "Sigg 2005, sect. 20.4, Figs 20-4 and 20-5",
+        .lookFor = "tricubic is smooth where trilinear shows the voxels; valleys are dark and ridges light",
+        .parameters =
+            {Parameter::Choice("filter", "How voxels are interpolated", {"trilinear", "tricubic"}, "tricubic"),
+             Parameter::Choice("shade",
+                               "Light alone, a color for each pair of curvatures, ridges and valleys, the normal, or "
+                               "the larger curvature",
+                               kShades, "phong"),
+             Parameter::Number("iso", "The surface's value, in the volume's units",
+                               {.minimum = -1e6f, .maximum = 1e6f, .initial = 92}),
+             Parameter::Number("step", "Distance between looks along a ray",
+                               {.minimum = 0.1f, .maximum = 2, .initial = 0.5f, .unit = "voxels"}),
+             Parameter::Number("radius", "Radius of a curvature that gets its full color",
+                               {.minimum = 0.1f, .maximum = 1000, .initial = 3, .unit = "mm"}),
+             Parameter::Number(
+                 "turn", "Angle of the eye around the z axis; at 0 it sees the front (+y), at 90 the right side (+x)",
+                 {.minimum = -180, .maximum = 180, .initial = -125, .unit = "degrees"}),
+             Parameter::Number("elevation", "Angle of the eye above the x-y plane",
+                               {.minimum = -90, .maximum = 90, .initial = 25, .unit = "degrees"}),
+             Parameter::Number("zoom", "Magnification; 1 shows the whole surface",
+                               {.minimum = 0.1f, .maximum = 20, .initial = 1})},
+        .takesVolume = true,
+        .make = MakeEffect<Isosurface>};
 }
 
 }  // namespace boxcar

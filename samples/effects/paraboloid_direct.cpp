@@ -3,8 +3,10 @@
 //   scene  ->  dp_scene.vs  ->  front, back     |     scene  ->  cube map  ->  dual paraboloid  ->  front, back
 //
 // Scheuermann 2005 (direct rendering of the faces); Hensley 2005, sect. 5.1.1
+#include "hlsl/constants/effect_constants.h"
 #include "runtime/passes/dual_paraboloid.h"
 #include "runtime/passes/quad_shaders.h"
+#include "samples/effects/effect_shader.h"
 #include "samples/effects/effects.h"
 #include "samples/scenes/shapes.h"
 #include "samples/scenes/surroundings.h"
@@ -15,9 +17,7 @@ namespace {
 constexpr float kFarWorld = 10;
 
 PipelineDesc DirectShaders() {
-    return {.vertex = passes_shaders::Find("shaders/dp_scene.vs"),
-            .pixel = passes_shaders::Find("shaders/dp_scene.ps"),
-            .testsDepth = true};
+    return {.vertex = EffectShader("dp_scene.vs"), .pixel = EffectShader("dp_scene.ps"), .testsDepth = true};
 }
 
 class ParaboloidDirect : public Effect {
@@ -27,7 +27,7 @@ public:
           m_surroundings(device, {{2, 1}, {glm::vec4(0), glm::vec4(0)}}, m_side),
           m_paraboloid(device, m_side),
           m_direct(device, DirectShaders()),
-          m_pair(device, QuadShaders("dp_pair.ps")),
+          m_pair(device, QuadShaders(EffectShader("dp_pair.ps"))),
           m_room(
               UploadMesh(device, Subdivided(Room(4), static_cast<uint32_t>(values.Whole("subdivisions"))), "room")),
           m_sphere(UploadMesh(device, Sphere(1, 48, 24), "sphere")),
@@ -40,7 +40,7 @@ public:
 private:
     const Image& Draw(CommandList& commands, const Frame& frame) override {
         const auto time = static_cast<float>(frame.timeSeconds);
-        std::vector<SceneObject> objects = {
+        const std::vector<SceneObject> objects = {
             {.mesh = &m_room, .turnRadians = 0.4f + 0.2f * time, .albedo = {0.8f, 0.78f, 0.7f}, .checkWorld = 0.5f},
             {.mesh = &m_sphere, .offsetWorld = {0.5f, -0.5f, -1.1f}, .scale = 0.35f, .albedo = {0.8f, 0.2f, 0.15f}},
             {.mesh = &m_sphere, .offsetWorld = {-0.6f, 0.3f, 1.0f}, .scale = 0.3f, .albedo = {0.2f, 0.35f, 0.8f}}};
@@ -48,10 +48,6 @@ private:
         AddStage("front-cube", *viaCube.front);
         AddStage("back-cube", *viaCube.back);
         for (size_t face = 0; face < 2; face++) {
-            for (SceneObject& object : objects) {
-                object.optionA = static_cast<float>(face);
-                object.optionB = kFarWorld;
-            }
             DrawObjects(commands,
                         {.name = "direct",
                          .pipeline = m_direct,
@@ -59,7 +55,10 @@ private:
                          .depth = &m_depth,
                          .clearColor = glm::vec4(0),
                          .clearsDepth = true},
-                        objects, glm::mat4(1), glm::vec3(0));
+                        objects, glm::mat4(1), glm::vec3(0),
+                        [&](const SceneConstants& scene, const SceneObject& object) {
+                            return DPSceneConstants{scene, object.checkWorld, static_cast<int>(face), kFarWorld};
+                        });
             AddStage(m_faces[face].Desc().name, m_faces[face]);
         }
         const bool isFront = frame.values.Choice("show") == "front";
@@ -83,16 +82,20 @@ private:
 }  // namespace
 
 EffectInfo ParaboloidDirectInfo() {
-    return {
-        .name = "paraboloid-direct",
-        .what = "A scene drawn straight on a paraboloid (left), and by way of a cube map (right)",
-        .paper = "Scheuermann 2005; Hensley 2005, sect. 5.1.1",
-        .lookFor = "straight rasterization bends the walls of large triangles and tears them; small ones come right",
-        .parameters =
-            {{"subdivisions", "How often each triangle of the walls is cut in four", "", 0, 6, 1, {}, true, true},
-             {"show", "Which face", "", 0, 0, 0, {"front", "back"}},
-             {"face", "Side of a face", "texels", 16, 1024, 512, {}, true, true}},
-        .make = MakeEffect<ParaboloidDirect>};
+    return {.name = "paraboloid-direct",
+            .what = "A scene drawn straight onto a paraboloid (left) and by way of a cube map (right)",
+            .paper = "Scheuermann 2005; Hensley 2005, sect. 5.1.1",
+            .lookFor =
+                "straight rasterization bends the walls of large triangles and tears them; small ones come out right",
+            .parameters = {Parameter::Whole("subdivisions",
+                                            "How many times each triangle of the walls is split into four",
+                                            {.maximum = 6, .initial = 1})
+                               .Fixed(),
+                           Parameter::Choice("show", "Which face is shown", {"front", "back"}, "front"),
+                           Parameter::Whole("face", "Side of a face",
+                                            {.minimum = 16, .maximum = 1024, .initial = 512, .unit = "texels"})
+                               .Fixed()},
+            .make = MakeEffect<ParaboloidDirect>};
 }
 
 }  // namespace boxcar

@@ -5,7 +5,9 @@
 // Hensley 2005, sect. 5.2 (Fig. 1)
 #include <cmath>
 
+#include "hlsl/constants/effect_constants.h"
 #include "runtime/passes/exact_table.h"
+#include "samples/effects/effect_shader.h"
 #include "samples/effects/effects.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/shapes.h"
@@ -28,9 +30,9 @@ public:
               device, StandingMesh(inputs.mesh, {m_camera, inputs.extent, glm::vec3(0), kObjectScale}), "object")),
           m_sphere(UploadMesh(device, Sphere(1, 64, 32), "sphere")),
           m_ground(UploadMesh(device, Ground(24, 1), "floor")),
-          m_mirrored(device, SceneShaders("planar_reflected.ps")),
-          m_direct(device, SceneShaders("scene.ps")),
-          m_floor(device, SceneShaders(fmt::format("planar_floor.ps.WORDS={}", WordsOf(m_precision)))),
+          m_mirrored(device, SceneShaders(EffectShader("planar_reflected.ps"))),
+          m_direct(device, MattShaders()),
+          m_floor(device, SceneShaders(EffectShader(fmt::format("planar_floor.ps.WORDS={}", WordsOf(m_precision))))),
           m_reflected(device, {inputs.extent, Format::RGBA32F, "reflected"}),
           m_picture(device, {inputs.extent, Format::RGBA32F, "picture"}),
           m_depth(device, {inputs.extent, Format::Depth32F, "depth"}),
@@ -69,19 +71,21 @@ private:
                      .clearColor = glm::vec4(kSky, 1),
                      .clearsDepth = true},
                     objects, clip, m_camera.eyeWorld);
-        const SceneObject floor{.mesh = &m_ground,
-                                .albedo = {0.55f, 0.52f, 0.48f},
-                                .checkWorld = 0.75f,
-                                .optionA = frame.values["roughness"] * m_coneTexels,
-                                .optionB = m_codes.scale,
-                                .optionC = frame.values["mirror"]};
+        const SceneObject floor{.mesh = &m_ground, .albedo = {0.55f, 0.52f, 0.48f}, .checkWorld = 0.75f};
         DrawObjects(commands,
                     {.name = "floor",
                      .pipeline = m_floor,
                      .reads = TableReads(table, {{"reflected", &m_reflected}}),
                      .writes = {&m_picture},
                      .depth = &m_depth},
-                    std::span(&floor, 1), clip, m_camera.eyeWorld);
+                    std::span(&floor, 1), clip, m_camera.eyeWorld,
+                    [&](const SceneConstants& scene, const SceneObject& object) {
+                        return PlanarFloorConstants{.scene = scene,
+                                                    .checkWorld = object.checkWorld,
+                                                    .coneTexels = frame.values["roughness"] * m_coneTexels,
+                                                    .codeScale = m_codes.scale,
+                                                    .mirrorShare = frame.values["mirror"]};
+                    });
         return m_picture;
     }
 
@@ -100,11 +104,13 @@ private:
 
 EffectInfo PlanarReflectionInfo() {
     return {.name = "planar-reflection",
-            .what = "Objects on a glossy floor, reflected the more blurred the higher they are",
+            .what = "Objects on a glossy floor; the higher they are, the blurrier their reflections",
             .paper = "Hensley 2005, sect. 5.2, Fig. 1",
-            .lookFor = "the reflection is sharp where an object touches the floor and dissolves away from it",
-            .parameters = {{"roughness", "Width of a ray's cone over its length", "", 0, kLargestRoughness, 0.12f},
-                           {"mirror", "Share that the floor reflects at a right angle", "", 0, 1, 0.35f}},
+            .lookFor = "the reflection is sharp where an object touches the floor and dissolves farther away",
+            .parameters = {Parameter::Number("roughness", "Width of a ray's cone, divided by its length",
+                                             {.maximum = kLargestRoughness, .initial = 0.12f}),
+                           Parameter::Number("mirror", "Share of the light that the floor reflects straight on",
+                                             {.initial = 0.35f})},
             .takesMesh = true,
             .make = MakeEffect<PlanarReflection>};
 }

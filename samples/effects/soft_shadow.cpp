@@ -10,6 +10,7 @@
 #include "hlsl/constants/effect_constants.h"
 #include "runtime/passes/quad_shaders.h"
 #include "runtime/passes/summed_area_table.h"
+#include "samples/effects/effect_shader.h"
 #include "samples/effects/effects.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/shapes.h"
@@ -47,11 +48,11 @@ public:
           m_sphere(UploadMesh(device, Sphere(1, 64, 32), "sphere")),
           m_post(UploadMesh(device, Post(), "post")),
           m_ground(UploadMesh(device, Ground(40, 1), "ground")),
-          m_drawDepth(device, SceneShaders("shadow_depth.ps")),
-          m_drawMoments(device, QuadShaders("shadow_moments.ps", {Format::RGBA32UI, Format::RGBA32UI})),
-          m_drawSurfaces(device, SceneShaders("shadow_surface.ps", std::vector(3, Format::RGBA32F))),
-          m_variance(device, QuadShaders("soft_shadow.ps.HARD=0")),
-          m_hard(device, QuadShaders("soft_shadow.ps.HARD=1")),
+          m_drawDepth(device, SceneShaders(EffectShader("shadow_depth.ps"))),
+          m_drawMoments(device, QuadShaders(EffectShader("shadow_moments.ps"), {Format::RGBA32UI, Format::RGBA32UI})),
+          m_drawSurfaces(device, SceneShaders(EffectShader("shadow_surface.ps"), std::vector(3, Format::RGBA32F))),
+          m_variance(device, QuadShaders(EffectShader("soft_shadow.ps.HARD=0"))),
+          m_hard(device, QuadShaders(EffectShader("soft_shadow.ps.HARD=1"))),
           m_map(device, {MapExtent(values), Format::RGBA32F, "depth from the lamp"}),
           m_mapDepth(device, {MapExtent(values), Format::Depth32F, "lamp's depth"}),
           m_low(device, {MapExtent(values), Format::RGBA32UI, "moments"}),
@@ -75,11 +76,7 @@ private:
             .nearDepth = kLampDistance - kLampReach,
             .farDepth = kLampDistance + 2 * kLampReach};
         const float reach = lamp.farDepth - lamp.nearDepth;
-        std::vector<SceneObject> objects = Objects(time);
-        for (SceneObject& object : objects) {
-            object.optionA = lamp.nearDepth;
-            object.optionB = reach;
-        }
+        const std::vector<SceneObject> objects = Objects(time);
 
         DrawObjects(commands,
                     {.name = "depth from the lamp",
@@ -88,7 +85,10 @@ private:
                      .depth = &m_mapDepth,
                      .clearColor = glm::vec4(1),
                      .clearsDepth = true},
-                    objects, ClipFromWorld(lamp, m_map.Extent()), lamp.eyeWorld);
+                    objects, ClipFromWorld(lamp, m_map.Extent()), lamp.eyeWorld,
+                    [&](const SceneConstants& scene, const SceneObject&) {
+                        return ShadowDepthConstants{scene, lamp.nearDepth, reach};
+                    });
         AddStage("depth", m_map);
         DrawObjects(commands,
                     {.name = "surfaces",
@@ -155,25 +155,21 @@ private:
 
 EffectInfo SoftShadowInfo() {
     return {.name = "soft-shadow",
-            .what = "Shadows of a lamp of some size, blurred by how far they are from what casts them",
+            .what = "Shadows of an area light, blurred by their distance from what casts them",
             .paper = "Green 2003, soft shadows; beyond the papers: variance shadow maps on tables",
-            .lookFor = "a shadow is sharp where it leaves the object that casts it and dissolves away from it",
-            .parameters = {{"light-size", "Width of the lamp, which is 7 away", "units", 0, 1.5f, 0.5f},
-                           {"bleed-cut", "Share of light below which it is dark: hides light that leaks", "", 0, 0.9f,
-                            0.2f},
-                           {.name = "map",
-                            .what = "Side of the lamp's depth map",
-                            .unit = "texels",
-                            .minimum = 64,
-                            .maximum = 2048,
-                            .initial = 512,
-                            .isWhole = true,
-                            .isFixed = true},
-                           {.name = "method",
-                            .what = "The map's variance over boxes, or one texel of it",
-                            .unit = "",
-                            .choices = {"variance", "hard"}},
-                           {"elevation", "Of the lamp over the ground", "degrees", 20, 85, 50}},
+            .lookFor = "a shadow is sharp where it leaves the object that casts it and dissolves farther away",
+            .parameters = {Parameter::Number("light-size", "Width of the lamp, which is 7 units away",
+                                             {.maximum = 1.5f, .initial = 0.5f, .unit = "units"}),
+                           Parameter::Number("bleed-cut",
+                                             "Shares of light below this become dark, which hides light that leaks",
+                                             {.maximum = 0.9f, .initial = 0.2f}),
+                           Parameter::Whole("map", "Side of the lamp's depth map",
+                                            {.minimum = 64, .maximum = 2048, .initial = 512, .unit = "texels"})
+                               .Fixed(),
+                           Parameter::Choice("method", "The variance of the map over boxes, or a single texel of it",
+                                             {"variance", "hard"}, "variance"),
+                           Parameter::Number("elevation", "Angle of the lamp above the ground",
+                                             {.minimum = 20, .maximum = 85, .initial = 50, .unit = "degrees"})},
             .takesMesh = true,
             .make = MakeEffect<SoftShadow>};
 }

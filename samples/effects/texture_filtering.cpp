@@ -12,6 +12,7 @@
 #include "runtime/passes/mip_chain.h"
 #include "runtime/passes/quad_shaders.h"
 #include "runtime/ping_pong.h"
+#include "samples/effects/effect_shader.h"
 #include "samples/effects/effects.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/shapes.h"
@@ -19,13 +20,22 @@
 namespace boxcar {
 namespace {
 
-constexpr Extent2D kTexture{256, 256};
+constexpr Extent2D kTexture{TEXTURE_SIDE_TEXELS, TEXTURE_SIDE_TEXELS};
 constexpr float kCells = 8;          // black and white stripes of the texture
 constexpr int kDrawsAlongPixel = 8;  // of the reference, each of two samples on either axis
 constexpr float kPlaneLength = 80;
 constexpr float kPlaneRepeats = 2.5f;  // to one of the ellipsoid's
 
-enum Filter { Nearest, Bilinear, Mip, MipFiltered, MipBSpline, Anisotropic, Table, Reference };
+enum class Filter { Nearest, Bilinear, Mip, MipFiltered, MipBSpline, Anisotropic, Table, Reference };
+
+constexpr Word<Filter> kFilters[] = {{"nearest", Filter::Nearest},
+                                     {"bilinear", Filter::Bilinear},
+                                     {"mip", Filter::Mip},
+                                     {"mip-filtered", Filter::MipFiltered},
+                                     {"mip-bspline", Filter::MipBSpline},
+                                     {"anisotropic", Filter::Anisotropic},
+                                     {"table", Filter::Table},
+                                     {"reference", Filter::Reference}};
 
 // A sphere that is longer along its axis.
 MeshData Ellipsoid() {
@@ -49,7 +59,7 @@ MeshData Ceiling() {
 // Targets of twice the picture's sides, and what has been added up of them.
 struct Samples {
     Samples(Device& device, Extent2D extent)
-        : add(device, QuadShaders("texture_samples.ps")),
+        : add(device, QuadShaders(EffectShader("texture_samples.ps"))),
           samples(device, {{2 * extent.widthTexels, 2 * extent.heightTexels}, Format::RGBA32F, "samples"}),
           depth(device, {samples.Extent(), Format::Depth32F, "samples' depth"}),
           sum(device, {extent, Format::RGBA32F, "sum of samples"}) {}
@@ -66,16 +76,17 @@ public:
           m_ellipsoid(UploadMesh(device, Ellipsoid(), "ellipsoid")),
           m_floor(UploadMesh(device, Ground(kPlaneLength, 1), "floor")),
           m_ceiling(UploadMesh(device, Ceiling(), "ceiling")),
-          m_drawPattern(device, QuadShaders("texture_pattern.ps")),
-          m_nearest(device, SceneShaders("texture_sampled.ps.SAMPLER=nearestRepeat")),
-          m_linear(device, SceneShaders("texture_sampled.ps.SAMPLER=linearRepeat")),
-          m_bspline(device, SceneShaders("texture_bspline.ps")),
-          m_anisotropic(device, SceneShaders("texture_sampled.ps.SAMPLER=anisotropicRepeat")),
-          m_fromTable(device, SceneShaders("texture_table.ps")),
+          m_drawPattern(device, QuadShaders(EffectShader("texture_pattern.ps"))),
+          m_nearest(device, SceneShaders(EffectShader("texture_sampled.ps.SAMPLER=nearestRepeat"))),
+          m_linear(device, SceneShaders(EffectShader("texture_sampled.ps.SAMPLER=linearRepeat"))),
+          m_bspline(device, SceneShaders(EffectShader("texture_bspline.ps"))),
+          m_anisotropic(device, SceneShaders(EffectShader("texture_sampled.ps.SAMPLER=anisotropicRepeat"))),
+          m_fromTable(device, SceneShaders(EffectShader("texture_table.ps"))),
           m_pattern(device, {kTexture, Format::RGBA32F, "pattern"}),
           m_mips(device, kTexture),
-          m_filteredMips(device, kTexture, "texture_halve.ps"),
-          m_table(device, {.extent = kTexture, .codes = {.scale = 255, .largest = 255}}),
+          m_filteredMips(device, kTexture, QuadShaders(EffectShader("texture_halve.ps"))),
+          m_table(device,
+                  {.extent = kTexture, .codes = {.scale = TEXTURE_WHITE_CODES, .largest = TEXTURE_WHITE_CODES}}),
           m_picture(device, {inputs.extent, Format::RGBA32F, "picture"}),
           m_depth(device, {inputs.extent, Format::Depth32F, "depth"}) {}
 
@@ -88,23 +99,24 @@ private:
                        .writes = {&m_pattern},
                        .constants = ConstantBytes(pattern)});
         AddStage("pattern", m_pattern);
-        switch (static_cast<Filter>(frame.values.Whole("filter"))) {
-            case Nearest: return DrawPicture(commands, frame, m_nearest, {"pattern", &m_pattern});
-            case Bilinear: return DrawPicture(commands, frame, m_linear, {"pattern", &m_pattern});
-            case Mip: return DrawPicture(commands, frame, m_linear, {"pattern", &m_mips.Record(commands, m_pattern)});
-            case MipFiltered:
+        switch (ValueOf(kFilters, frame.values.Choice("filter"))) {
+            case Filter::Nearest: return DrawPicture(commands, frame, m_nearest, {"pattern", &m_pattern});
+            case Filter::Bilinear: return DrawPicture(commands, frame, m_linear, {"pattern", &m_pattern});
+            case Filter::Mip:
+                return DrawPicture(commands, frame, m_linear, {"pattern", &m_mips.Record(commands, m_pattern)});
+            case Filter::MipFiltered:
                 return DrawPicture(commands, frame, m_linear,
                                    {"pattern", &m_filteredMips.Record(commands, m_pattern)});
-            case MipBSpline:
+            case Filter::MipBSpline:
                 return DrawPicture(commands, frame, m_bspline, {"pattern", &m_mips.Record(commands, m_pattern)});
-            case Anisotropic:
+            case Filter::Anisotropic:
                 return DrawPicture(commands, frame, m_anisotropic, {"pattern", &m_mips.Record(commands, m_pattern)});
-            case Table: {
+            case Filter::Table: {
                 const Image& table = *m_table.Record(commands, m_pattern).low;
                 AddStage("table", table);
                 return DrawPicture(commands, frame, m_fromTable, {"table", &table});
             }
-            case Reference: return DrawReference(commands, frame);
+            case Filter::Reference: return DrawReference(commands, frame);
         }
         BOXCAR_ASSERT(false);
         return m_picture;
@@ -153,14 +165,12 @@ private:
         }
         std::vector<SceneObject> objects;
         if (isEllipsoid)
-            objects = {
-                {.mesh = &m_ellipsoid, .turnRadians = 0.2f * time, .optionA = repeats, .optionB = repeats / 2}};
+            objects = {{.mesh = &m_ellipsoid, .turnRadians = 0.2f * time}};
         else
             for (const float side : {-1.0f, 1.0f})
-                objects.push_back({.mesh = side < 0 ? &m_floor : &m_ceiling,
-                                   .offsetWorld = {0, side, 0},
-                                   .optionA = kPlaneRepeats * repeats,
-                                   .optionB = kPlaneRepeats * repeats});
+                objects.push_back({.mesh = side < 0 ? &m_floor : &m_ceiling, .offsetWorld = {0, side, 0}});
+        const glm::vec2 repeatsOfMesh =
+            isEllipsoid ? glm::vec2(repeats, repeats / 2) : glm::vec2(kPlaneRepeats * repeats);
         const Extent2D extent = target.Extent();
         const glm::vec2 offsetClip = 2.0f * offsetTexels / glm::vec2(extent.widthTexels, extent.heightTexels);
         const glm::mat4 moved = glm::translate(glm::mat4(1), glm::vec3(offsetClip, 0));
@@ -172,7 +182,10 @@ private:
                      .depth = &depth,
                      .clearColor = glm::vec4(kSky, 0),
                      .clearsDepth = true},
-                    objects, moved * ClipFromWorld(camera, m_picture.Extent()), camera.eyeWorld);
+                    objects, moved * ClipFromWorld(camera, m_picture.Extent()), camera.eyeWorld,
+                    [&](const SceneConstants& scene, const SceneObject&) {
+                        return TexturedConstants{scene, repeatsOfMesh};
+                    });
     }
 
     Device& m_device;
@@ -188,30 +201,25 @@ private:
 }  // namespace
 
 EffectInfo TextureFilteringInfo() {
-    return {
-        .name = "texture-filtering",
-        .what = "A striped ellipsoid and receding planes, textured through a table and in seven other ways",
-        .paper = "Crow 1984, sect. 2 and 4, Figs 3 to 7",
-        .lookFor = "the table blurs along the direction in which the texture is compressed, a mip map in both",
-        .parameters = {{.name = "scene", .what = "What is textured", .unit = "", .choices = {"ellipsoid", "planes"}},
-                       {.name = "filter",
-                        .what = "How: the nearest texel, four, mip levels of plain and of weighted means, plain "
-                                "ones under the cubic B-spline, 16 samples of them, the table, 256 samples a pixel",
-                        .unit = "",
-                        .initial = Table,
-                        .choices = {"nearest", "bilinear", "mip", "mip-filtered", "mip-bspline", "anisotropic",
-                                    "table", "reference"}},
-                       {.name = "pattern", .what = "The texture", .unit = "", .choices = {"stripes", "checks"}},
-                       {.name = "repeats",
-                        .what = "How often it lies round the ellipsoid; along planes two and a half times as often",
-                        .unit = "",
-                        .minimum = 1,
-                        .maximum = 64,
-                        .initial = 16,
-                        .isWhole = true},
-                       {"roll", "Of the camera: at 0 the texture lies upright in the picture", "degrees", -90, 90,
-                        0}},
-        .make = MakeEffect<TextureFiltering>};
+    return {.name = "texture-filtering",
+            .what = "A striped ellipsoid and receding planes, textured through a table and in seven other ways",
+            .paper = "Crow 1984, sect. 2 and 4, Figs 3 to 7",
+            .lookFor = "the table blurs along the direction in which the texture is compressed, a mip map in both",
+            .parameters =
+                {Parameter::Choice("scene", "What the texture is on", {"ellipsoid", "planes"}, "ellipsoid"),
+                 Parameter::Choice(
+                     "filter",
+                     "The nearest texel, the nearest four, mip levels of plain means and of weighted means, plain "
+                     "levels under the cubic B-spline, 16 samples of them, the table, or 256 samples a pixel",
+                     kFilters, "table"),
+                 Parameter::Choice("pattern", "The texture", {"stripes", "checks"}, "stripes"),
+                 Parameter::Whole("repeats",
+                                  "How many times the texture goes around the ellipsoid; along the planes it is two "
+                                  "and a half times as many",
+                                  {.minimum = 1, .maximum = 64, .initial = 16}),
+                 Parameter::Number("roll", "Roll of the camera; at 0 the texture is upright in the picture",
+                                   {.minimum = -90, .maximum = 90, .initial = 0, .unit = "degrees"})},
+            .make = MakeEffect<TextureFiltering>};
 }
 
 }  // namespace boxcar

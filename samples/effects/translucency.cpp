@@ -7,7 +7,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "hlsl/constants/effect_constants.h"
 #include "runtime/passes/exact_table.h"
+#include "samples/effects/effect_shader.h"
 #include "samples/effects/effects.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/shapes.h"
@@ -20,7 +22,7 @@ constexpr float kObjectScale = 1.25f;
 constexpr float kLargestEtching = 1, kThickestOverDistance = 0.6f;
 
 PipelineDesc FarSides() {
-    PipelineDesc desc = SceneShaders("glass_back.ps");
+    PipelineDesc desc = SceneShaders(EffectShader("glass_back.ps"));
     desc.cull = Cull::Front;
     return desc;
 }
@@ -30,9 +32,9 @@ public:
     Translucency(Device& device, const EffectInputs& inputs, const ParameterValues&)
         : m_focalTexels(TexelsAtDepthOne(m_camera, inputs.extent)),
           m_precision(SATExactPrecision(glm::vec2(WidestTexels()), 1, false, kCodes)),
-          m_opaque(device, SceneShaders("scene.ps")),
+          m_opaque(device, MattShaders()),
           m_farSides(device, FarSides()),
-          m_glass(device, SceneShaders(fmt::format("glass.ps.WORDS={}", WordsOf(m_precision)))),
+          m_glass(device, SceneShaders(EffectShader(fmt::format("glass.ps.WORDS={}", WordsOf(m_precision))))),
           m_object(UploadMesh(
               device, StandingMesh(inputs.mesh, {m_camera, inputs.extent, glm::vec3(0), kObjectScale}), "object")),
           m_sphere(UploadMesh(device, Sphere(1, 96, 48), "sphere")),
@@ -55,7 +57,7 @@ private:
                      .clearColor = glm::vec4(kSky, 1),
                      .clearsDepth = true},
                     OpaqueObjects(), clip, m_camera.eyeWorld);
-        std::vector<SceneObject> glass = GlassObjects(time, frame.values);
+        std::vector<SceneObject> glass = GlassObjects(time);
         std::ranges::sort(glass, std::greater(), [&](const SceneObject& object) {
             return glm::distance(object.offsetWorld, m_camera.eyeWorld);
         });
@@ -68,7 +70,8 @@ private:
                          .depth = &m_backDepth,
                          .clearColor = glm::vec4(0),
                          .clearsDepth = true},
-                        std::span(&object, 1), clip, m_camera.eyeWorld);
+                        std::span(&object, 1), clip, m_camera.eyeWorld,
+                        [](const SceneConstants& scene, const SceneObject&) { return scene; });
             table = m_table.Record(commands, m_picture);
             DrawObjects(commands,
                         {.name = "glass",
@@ -76,7 +79,13 @@ private:
                          .reads = TableReads(table, {{"back", &m_back}}),
                          .writes = {&m_picture},
                          .depth = &m_depth},
-                        std::span(&object, 1), clip, m_camera.eyeWorld);
+                        std::span(&object, 1), clip, m_camera.eyeWorld,
+                        [&](const SceneConstants& scene, const SceneObject&) {
+                            return GlassConstants{.scene = scene,
+                                                  .blurTexels = frame.values["etching"] * m_focalTexels,
+                                                  .bendTexels = frame.values["bending"] * m_focalTexels,
+                                                  .codeScale = kCodes.scale};
+                        });
         }
         AddTableStages("table", table);
         AddStage("far-side", m_back);
@@ -96,14 +105,9 @@ private:
         return objects;
     }
 
-    std::vector<SceneObject> GlassObjects(float time, const ParameterValues& values) const {
-        SceneObject object{.mesh = &m_object,
-                           .scale = kObjectScale,
-                           .turnRadians = 0.5f * time,
-                           .albedo = {0.75f, 0.95f, 0.85f},
-                           .optionA = values["etching"] * m_focalTexels,
-                           .optionB = kCodes.scale,
-                           .optionC = values["bending"] * m_focalTexels};
+    std::vector<SceneObject> GlassObjects(float time) const {
+        SceneObject object{
+            .mesh = &m_object, .scale = kObjectScale, .turnRadians = 0.5f * time, .albedo = {0.75f, 0.95f, 0.85f}};
         SceneObject ball = object, little = object;
         ball.mesh = little.mesh = &m_sphere;
         ball.offsetWorld = {-1.15f + 0.3f * std::sin(time), 0.5f, 0.3f};
@@ -131,16 +135,19 @@ private:
 }  // namespace
 
 EffectInfo TranslucencyInfo() {
-    return {
-        .name = "translucency",
-        .what = "Objects of etched glass, before one another",
-        .paper = "Hensley 2005, sect. 5.3, Fig. 8",
-        .lookFor = "what is behind is sharp through thin glass, blurred through thick, and through two still more",
-        .parameters = {{"etching", "Width of the blur over the thickness of the glass", "", 0, kLargestEtching,
-                        0.12f},
-                       {"bending", "How far the glass displaces what is behind it", "", 0, 1, 0.06f}},
-        .takesMesh = true,
-        .make = MakeEffect<Translucency>};
+    return {.name = "translucency",
+            .what = "Objects of etched glass, one in front of another",
+            .paper = "Hensley 2005, sect. 5.3, Fig. 8",
+            .lookFor =
+                "what is behind looks sharp through thin glass, blurred through thick glass, and blurrier still "
+                "through two"
+                " objects",
+            .parameters = {Parameter::Number("etching", "Width of the blur, divided by the thickness of the glass",
+                                             {.maximum = kLargestEtching, .initial = 0.12f}),
+                           Parameter::Number("bending", "How far the glass displaces what is behind it",
+                                             {.initial = 0.06f})},
+            .takesMesh = true,
+            .make = MakeEffect<Translucency>};
 }
 
 }  // namespace boxcar

@@ -6,7 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/gtc/constants.hpp>
 
-#include "passes_shaders.h"
+#include "scenes_shaders.h"
 
 namespace boxcar {
 namespace {
@@ -72,30 +72,27 @@ double LargestWithin(const Stand& stand, const std::vector<Ring>& rings) {
 }  // namespace
 
 SceneConstants ConstantsOf(const SceneObject& object, const glm::mat4& clipFromWorld, glm::vec3 eyeWorld) {
-    return {clipFromWorld,     object.offsetWorld,
-            object.scale,      {std::cos(object.turnRadians), std::sin(object.turnRadians)},
-            object.checkWorld, object.optionA,
-            object.albedo,     object.optionB,
-            eyeWorld,          object.optionC};
+    return {clipFromWorld, object.offsetWorld,          object.scale, object.albedo, std::cos(object.turnRadians),
+            eyeWorld,      std::sin(object.turnRadians)};
 }
 
-PipelineDesc SceneShaders(const std::string& pixel, std::vector<Format> targets) {
-    return {.vertex = passes_shaders::Find("shaders/scene.vs"),
-            .pixel = passes_shaders::Find("shaders/" + pixel),
+PipelineDesc SceneShaders(const EmbeddedShader& pixel, std::vector<Format> targets) {
+    return {.vertex = scenes_shaders::Find("shaders/scene.vs"),
+            .pixel = pixel,
             .targets = std::move(targets),
             .testsDepth = true};
 }
 
-void DrawObjects(CommandList& commands, Pass first, std::span<const SceneObject> objects,
+PipelineDesc MattShaders() {
+    return SceneShaders(scenes_shaders::Find("shaders/scene.ps"));
+}
+
+void DrawObjects(CommandList& commands, const Pass& first, std::span<const SceneObject> objects,
                  const glm::mat4& clipFromWorld, glm::vec3 eyeWorld) {
-    for (const SceneObject& object : objects) {
-        const SceneConstants constants = ConstantsOf(object, clipFromWorld, eyeWorld);
-        first.mesh = object.mesh;
-        first.constants = ConstantBytes(constants);
-        commands.Draw(first);
-        first.clearColor.reset();
-        first.clearsDepth = false;
-    }
+    DrawObjects(commands, first, objects, clipFromWorld, eyeWorld,
+                [](const SceneConstants& scene, const SceneObject& object) {
+                    return MattConstants{scene, object.checkWorld};
+                });
 }
 
 MeshData StandingMesh(MeshData mesh, const Stand& stand) {

@@ -19,19 +19,33 @@ struct SceneObject {
     float turnRadians = 0;     // about +y, from +z towards +x
     glm::vec3 albedo{0.7f};
     float checkWorld = 0;  // side of its checks in world units; 0 for none
-    // What the pixel shader of an effect makes of them.
-    float optionA = 0;
-    float optionB = 0;
-    float optionC = 0;
 };
 
 SceneConstants ConstantsOf(const SceneObject& object, const glm::mat4& clipFromWorld, glm::vec3 eyeWorld);
 
-// Shaders for objects: scene.vs and "shaders/`pixel`", with a depth test.
-PipelineDesc SceneShaders(const std::string& pixel, std::vector<Format> targets = {Format::RGBA32F});
+// Shaders for objects: scene.vs and a pixel shader that reads what it hands on, with a depth test.
+PipelineDesc SceneShaders(const EmbeddedShader& pixel, std::vector<Format> targets = {Format::RGBA32F});
+
+// The same with scene.ps: matt surfaces in the sample scenes' light.
+PipelineDesc MattShaders();
 
 // Draws each object as `first` says, with its mesh and constants; what `first` clears is cleared once.
+//
+//   blockOf(scene, object)  the constants of the object, from its SceneConstants: a struct of hlsl/constants/
 void DrawObjects(CommandList& commands, Pass first, std::span<const SceneObject> objects,
+                 const glm::mat4& clipFromWorld, glm::vec3 eyeWorld, const auto& blockOf) {
+    for (const SceneObject& object : objects) {
+        const auto block = blockOf(ConstantsOf(object, clipFromWorld, eyeWorld), object);
+        first.mesh = object.mesh;
+        first.constants = ConstantBytes(block);
+        commands.Draw(first);
+        first.clearColor.reset();
+        first.clearsDepth = false;
+    }
+}
+
+// The same for shaders of matt objects, whose block is MattConstants.
+void DrawObjects(CommandList& commands, const Pass& first, std::span<const SceneObject> objects,
                  const glm::mat4& clipFromWorld, glm::vec3 eyeWorld);
 
 // Where a scene shows an object of the user's, which may be of any size and shape.

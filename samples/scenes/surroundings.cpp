@@ -7,6 +7,7 @@
 
 #include "runtime/passes/quad_shaders.h"
 #include "runtime/transfer.h"
+#include "scenes_shaders.h"
 
 namespace boxcar {
 namespace {
@@ -39,8 +40,8 @@ Image UploadEnvironment(Device& device, const Environment& environment) {
 }  // namespace
 
 Surroundings::Surroundings(Device& device, const Environment& environment, uint32_t sideTexels)
-    : m_backdrop(device, QuadShaders("environment.ps")),
-      m_objects(device, SceneShaders("scene.ps")),
+    : m_backdrop(device, QuadShaders(scenes_shaders::Find("shaders/environment.ps"))),
+      m_objects(device, MattShaders()),
       m_environment(UploadEnvironment(device, environment)),
       m_face(device, {{sideTexels, sideTexels}, Format::RGBA32F, "cube face"}),
       m_depth(device, {{sideTexels, sideTexels}, Format::Depth32F, "cube face's depth"}),

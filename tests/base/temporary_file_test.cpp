@@ -7,23 +7,15 @@
 
 #include <csignal>
 #include <cstdlib>
-#include <filesystem>
+
+#include "tests/support/temporary_folder.h"
 
 namespace boxcar {
 namespace {
 
 class TemporaryFileTest : public testing::Test {
 protected:
-    TemporaryFileTest() {
-        std::string name = (std::filesystem::temp_directory_path() / "boxcar-test-XXXXXX").string();
-        m_folder = mkdtemp(name.data());
-    }
-    ~TemporaryFileTest() override { std::filesystem::remove_all(m_folder); }
-
-    size_t Files() const {
-        const auto files = std::filesystem::directory_iterator(m_folder);
-        return static_cast<size_t>(std::distance(begin(files), end(files)));
-    }
+    size_t Files() const { return m_temporary.Names().size(); }
 
     // In a child: makes a file, and a second one that takes another's name, then gets the signal.
     void ReceiveWhileItExists(int signal) const {
@@ -34,7 +26,8 @@ protected:
         std::exit(3);
     }
 
-    std::string m_folder;
+    const test::TemporaryFolder m_temporary;
+    const std::string m_folder = m_temporary.Path();
 };
 using TemporaryFileDeathTest = TemporaryFileTest;
 
@@ -50,7 +43,7 @@ TEST_F(TemporaryFileTest, IsGoneWithItsObjectUnlessItIsRenamed) {
 
 TEST_F(TemporaryFileTest, SaysWhyItCannotBeMade) {
     TemporaryFile file(m_folder + "/missing", 0600);
-    EXPECT_EQ(file.Descriptor(), -1);
+    EXPECT_EQ(file.Number(), -1);
     EXPECT_EQ(errno, ENOENT);
 }
 

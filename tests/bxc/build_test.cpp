@@ -103,7 +103,7 @@ TEST_F(BuildTest, WrongManifestCompilesNothing) {
 
     const RunResult missing = Bxc({"build", "none.cfg", "-o", "out"});
     EXPECT_EQ(missing.exitCode, 1);
-    EXPECT_EQ(missing.err, "bxc: cannot read 'none.cfg': No such file or directory\n");
+    EXPECT_EQ(missing.err, "bxc: 'none.cfg': cannot be read: No such file or directory\n");
 }
 
 TEST_F(BuildTest, NumberOfWorkersDoesNotChangeTheBytes) {

@@ -7,21 +7,16 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
 #include "tools/layout/shader_layout.h"
 
 namespace boxcar {
 
-struct RunResult {
-    int exitCode = -1;
-    std::string out;
-    std::string err;
-};
+using test::RunResult;
 
 class BxcTest : public testing::Test {
 protected:
-    BxcTest();
-    ~BxcTest() override;
-
     // Writes, reads, asks for a file in the test's folder. Read() of a file that is not there fails the test.
     void Write(const std::string& name, const std::string& text) const;
     std::string Read(const std::string& name) const;
@@ -34,7 +29,8 @@ protected:
     // The same for bxc.
     RunResult Bxc(std::vector<std::string> words) const;
 
-    std::filesystem::path m_folder;
+    const test::TemporaryFolder m_temporary;
+    const std::filesystem::path m_folder = m_temporary.Path();
 };
 
 // A pixel shader that is accepted.

@@ -99,14 +99,14 @@ TEST_F(CompileTest, RegistersAreShiftedByTheirClassAndSpacesAreSets) {
 // Offsets by Direct3D's rules: 16-byte registers, nothing crosses one, arrays and structs start one.
 TEST_F(CompileTest, ConstantsHaveDirect3dOffsets) {
     const ShaderLayout layout = Compile(
-        "struct Light { float power; float3 colour; };\n"
+        "struct Light { float power; float3 color; };\n"
         "cbuffer Params : register(b0) {\n"
         "    float a; float3 b; float2 c; float3 d; float4 weights[2]; float4x4 m; float tail; Light light;\n"
         "};\n"
-        "float4 main() : SV_Target0 { return a + b.x + c.x + d.x + light.colour.x + weights[1] + m[0] + tail; }\n",
+        "float4 main() : SV_Target0 { return a + b.x + c.x + d.x + light.color.x + weights[1] + m[0] + tail; }\n",
         "ps_5_0");
     EXPECT_EQ(Members(layout, "Params"), (Lines{"a 0 4", "b 4 12", "c 16 8", "d 32 12", "weights 48 32", "m 80 64",
-                                                "tail 144 4", "light.power 160 4", "light.colour 164 12"}));
+                                                "tail 144 4", "light.power 160 4", "light.color 164 12"}));
     EXPECT_EQ(layout.resources.at(0).sizeBytes, 176u);
 }
 
@@ -173,8 +173,8 @@ TEST_F(CompileTest, Direct3d9SamplersNeedGec) {
     const RunResult run = Bxc({"compile", "shader.hlsl", "-T", "ps_3_0", "-o", "out.spv"});
     EXPECT_EQ(run.exitCode, 1);
     EXPECT_TRUE(
-        run.err.starts_with("shader.hlsl:2: error: invalid SPIR-V from the compiler in 'main', which is its fault "
-                            "and not the shader's: compile with -Gec for sampler and tex2D, or use Texture2D "
+        run.err.starts_with("shader.hlsl:2: error: invalid SPIR-V from the compiler in 'main', which is its fault, "
+                            "not the shader's: compile with -Gec for sampler and tex2D, or use Texture2D "
                             "and SamplerState (Expected Sampled Image"))
         << run.err;
     EXPECT_EQ(std::ranges::count(run.err, '\n'), 1);
@@ -308,11 +308,11 @@ TEST_F(CompileTest, SourcesThatAreNotShadersAreRefusedInOneLine) {
     Write("large.hlsl", std::string((16 << 20) + 1, ' '));
     std::filesystem::create_directory(m_folder / "folder.hlsl");
     const std::pair<const char*, const char*> refusals[] = {
-        {"empty.hlsl", "empty.hlsl:1: error: there is no function 'main' to enter [missing_entry]\n"},
-        {"binary.hlsl", "binary.hlsl: error: cannot read 'binary.hlsl': it is not text: byte 4 is 0\n"},
-        {"large.hlsl", "large.hlsl: error: cannot read 'large.hlsl': it is longer than 16 MiB\n"},
-        {"folder.hlsl", "folder.hlsl: error: cannot read 'folder.hlsl': it is a directory\n"},
-        {"none.hlsl", "none.hlsl: error: cannot read 'none.hlsl': No such file or directory\n"}};
+        {"empty.hlsl", "empty.hlsl:1: error: there is no entry point 'main' [missing_entry]\n"},
+        {"binary.hlsl", "binary.hlsl: error: 'binary.hlsl': not text: byte 4 is 0\n"},
+        {"large.hlsl", "large.hlsl: error: 'large.hlsl': longer than 16 MiB, the most that is read\n"},
+        {"folder.hlsl", "folder.hlsl: error: 'folder.hlsl': a folder; a file is expected\n"},
+        {"none.hlsl", "none.hlsl: error: 'none.hlsl': cannot be read: No such file or directory\n"}};
     for (const auto& [file, message] : refusals) {
         const RunResult run = Bxc({"compile", file, "-T", "ps", "-o", "out.spv"});
         EXPECT_EQ(run.exitCode, 1) << file;
@@ -368,6 +368,9 @@ TEST_F(CompileTest, WrongCommandLineIsExitCode2) {
     const RunResult none = Bxc({});
     EXPECT_EQ(none.exitCode, 2);
     EXPECT_EQ(none.err, "bxc: no command is given; accepted: compile, build, --help, --version (bxc --help)\n");
+    const RunResult unknown = Bxc({"run"});
+    EXPECT_EQ(unknown.exitCode, 2);
+    EXPECT_EQ(unknown.err, "bxc: unknown command 'run'; accepted: compile, build, --help, --version (bxc --help)\n");
     EXPECT_EQ(Bxc({"compile", "a.hlsl", "-T", "ps", "-o", "x.spv", "--what"}).exitCode, 2);
 }
 

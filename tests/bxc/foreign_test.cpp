@@ -7,11 +7,11 @@ namespace boxcar {
 namespace {
 
 TEST_F(ForeignTest, PositionOfAnInoutParameterIsThePositionWhereverItStands) {
-    struct Case {
+    struct VertexShader {
         const char* text;
         Words outputs;
     };
-    const Case cases[] = {
+    const VertexShader shaders[] = {
         {"void main(inout float2 uv : TEXCOORD0, inout float4 p : SV_Position, out float2 b[2] : B, out float c : C) "
          "{\n"
          "    p = p * 2; b[0] = b[1] = uv; c = 1; }",
@@ -37,7 +37,7 @@ TEST_F(ForeignTest, PositionOfAnInoutParameterIsThePositionWhereverItStands) {
         {"struct P { float4 p : SV_Position; float2 uv : TEXCOORD0; };\n"
          "void main(float4 n : NORMAL, out P v[1]) { v[0].p = n; v[0].uv = n.xy; }",
          {"uv TEXCOORD0 0 1"}}};
-    for (const Case& each : cases) {
+    for (const VertexShader& each : shaders) {
         const ShaderLayout layout = Compile(each.text, "vs");
         EXPECT_TRUE(layout.writesPosition) << each.text;
         EXPECT_EQ(Lines(layout.outputs), each.outputs) << each.text;
@@ -45,24 +45,24 @@ TEST_F(ForeignTest, PositionOfAnInoutParameterIsThePositionWhereverItStands) {
 }
 
 TEST_F(ForeignTest, InvalidTypesAndStagesAreToldWithTheWayOut) {
-    struct Case {
+    struct InvalidShader {
         const char* text;
         const char* profile;
         const char* message;
     };
-    const Case cases[] = {
+    const InvalidShader shaders[] = {
         {"float4 main(float4 p : SV_Position, nointerpolation bool b[2] : B) : SV_Target { return b[0] ? 1 : 0; }",
-         "ps", " in 'main', which is its fault and not the shader's: declare 'b' uint ("},
+         "ps", " in 'main', which is its fault, not the shader's: declare 'b' as uint ("},
         {"float4 main(float i : SV_VertexID) : SV_Position { return i; }", "vs",
-         "SPIR-V in 'main': declare 'i' uint ("},
+         "SPIR-V in 'main': declare 'i' as uint ("},
         {"float4 main(uint f : SV_IsFrontFace) : SV_Target { return f; }", "ps",
-         "SPIR-V in 'main': declare 'f' bool ("},
-        {"float4 main(out float2 d : SV_Depth) : SV_Target { d = 1; return 1; }", "ps", "declare 'd' float ("},
+         "SPIR-V in 'main': declare 'f' as bool ("},
+        {"float4 main(out float2 d : SV_Depth) : SV_Target { d = 1; return 1; }", "ps", "declare 'd' as float ("},
         {"float4 main(float2 a : A) : SV_Position { return ddx(a.x); }", "vs",
          "SPIR-V in 'main': ddx, ddy, fwidth and Sample are for pixel shaders ("},
         {"float4 main(float2 a : A) : SV_Position { clip(a); return 1; }", "vs", "discard and clip are for pixel"},
         {"groupshared float g; float4 main() : SV_Target { g = 1; return g; }", "ps", "is for compute shaders ("}};
-    for (const Case& each : cases) {
+    for (const InvalidShader& each : shaders) {
         const RunResult run = Run(each.text, each.profile);
         EXPECT_EQ(run.exitCode, 1);
         EXPECT_NE(run.err.find(each.message), std::string::npos) << run.err;
@@ -111,7 +111,7 @@ TEST_F(ForeignTest, PixelCoordinateMayHaveAnIndexOfZero) {
 TEST_F(ForeignTest, PositionWithAnotherIndexIsStillMissing) {
     const RunResult run = Run("void main(out float4 p : SV_Position1) { p = 0; }", "vs");
     EXPECT_EQ(run.exitCode, 1);
-    EXPECT_NE(run.err.find("'main' writes no SV_Position"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("'main' does not write SV_Position"), std::string::npos) << run.err;
 }
 
 constexpr const char* kSelect =
@@ -296,19 +296,20 @@ TEST_F(ForeignTest, EveryStageIsCompiledReflectedAndLinked) {
     const Words varyings = {"uv[0] TEXCOORD0 0 1", "uv[1] TEXCOORD1 1 1", "key KEY0 2 1"};
     Words withExtra = varyings;
     withExtra.push_back("extra EXTRA0 3 1");
-    struct Case {
+    struct LinkedStages {
         const char *entry, *profile, *after, *afterProfile;
         ShaderStage stage;
         Words inputs, outputs;
         bool writesPosition;
     };
-    const Case cases[] = {{"HS", "hs_5_0", "VS", "vs", ShaderStage::Hull, varyings, withExtra, false},
-                          {"DS", "ds_5_0", "HS", "hs", ShaderStage::Domain, withExtra, varyings, true},
-                          {"GS", "gs_5_0", "DS", "ds", ShaderStage::Geometry, varyings, varyings, true},
-                          {"GS", "gs_5_0", "VS", "vs", ShaderStage::Geometry, varyings, varyings, true},
-                          {"PS", "ps_5_0", "GS", "gs", ShaderStage::Pixel, varyings, {" SV_TARGET0 0 1"}, false},
-                          {"PS", "ps_5_0", "DS", "ds", ShaderStage::Pixel, varyings, {" SV_TARGET0 0 1"}, false}};
-    for (const Case& each : cases)
+    const LinkedStages links[] = {
+        {"HS", "hs_5_0", "VS", "vs", ShaderStage::Hull, varyings, withExtra, false},
+        {"DS", "ds_5_0", "HS", "hs", ShaderStage::Domain, withExtra, varyings, true},
+        {"GS", "gs_5_0", "DS", "ds", ShaderStage::Geometry, varyings, varyings, true},
+        {"GS", "gs_5_0", "VS", "vs", ShaderStage::Geometry, varyings, varyings, true},
+        {"PS", "ps_5_0", "GS", "gs", ShaderStage::Pixel, varyings, {" SV_TARGET0 0 1"}, false},
+        {"PS", "ps_5_0", "DS", "ds", ShaderStage::Pixel, varyings, {" SV_TARGET0 0 1"}, false}};
+    for (const LinkedStages& each : links)
         for (const char* level : {"-O0", "-O3"}) {
             SCOPED_TRACE(fmt::format("{} after {}, {}", each.entry, each.after, level));
             const ShaderLayout layout = Compile(kStages, each.profile,
@@ -329,8 +330,8 @@ TEST_F(ForeignTest, WhatAStageDoesNotHandOnIsNamedWithItsStage) {
     const RunResult run = Run("float4 main(float2 uv : TEXCOORD0) : SV_Target0 { return uv.xyxy; }", "ps",
                               {"--after", "a.gs.hlsl", "--after-T", "gs"});
     EXPECT_EQ(run.err,
-              "shader.hlsl:1:20: error: the geometry shader does not write 'float2 uv : TEXCOORD0'; let both "
-              "stages share one struct [stage_link]\n");
+              "shader.hlsl:1:20: error: the geometry shader does not write 'float2 uv : TEXCOORD0'; use one "
+              "struct for both stages [stage_link]\n");
 }
 
 // The place, the function, whose fault it is, and what to write instead.
@@ -344,7 +345,7 @@ TEST_F(ForeignTest, InvalidSpirvIsTracedToItsFunctionAndLine) {
     EXPECT_EQ(run.exitCode, 1);
     EXPECT_TRUE(
         run.err.starts_with("inc/help.hlsli:4: error: invalid SPIR-V from the compiler in 'Steps', which is its "
-                            "fault and not the shader's: write x * exp2(e) for ldexp(x, e) (GLSL.std.450 Ldexp"))
+                            "fault, not the shader's: write x * exp2(e) instead of ldexp(x, e) (GLSL.std.450 Ldexp"))
         << run.err;
     EXPECT_EQ(std::ranges::count(run.err, '\n'), 1);
 
@@ -352,7 +353,7 @@ TEST_F(ForeignTest, InvalidSpirvIsTracedToItsFunctionAndLine) {
         Run("float4 main(float2 uv : TEXCOORD0) : SV_Target0\n{\n    return any(uv.x);\n}\n", "ps");
     EXPECT_TRUE(
         entry.err.starts_with("shader.hlsl:3: error: invalid SPIR-V from the compiler in 'main', which is its "
-                              "fault and not the shader's: compare with 0 instead of any() of a scalar ("))
+                              "fault, not the shader's: compare with 0 instead of calling any() on a scalar ("))
         << entry.err;
 }
 

@@ -85,10 +85,9 @@ TEST_F(GlslangLogTest, AttributesOfAnEntryPointStandOnLinesAboveIt) {
 }
 
 TEST_F(GlslangLogTest, MissingPartOfTheCompilerIsItsFault) {
-    EXPECT_EQ(
-        Messages("Missing functionality: matrix swizzle\n"),
-        Names{"a.hlsl: error: the compiler cannot translate this, which is its fault and not the shader's: matrix "
-              "swizzle"});
+    EXPECT_EQ(Messages("Missing functionality: matrix swizzle\n"),
+              Names{"a.hlsl: error: the compiler cannot translate this, which is its fault, not the shader's: matrix "
+                    "swizzle"});
 }
 
 }  // namespace

@@ -78,14 +78,14 @@ TEST(ManifestTest, EveryWrongLineIsReportedWithItsNumber) {
                "d.hlsl\n"
                "-T ps\n"
                "e.hlsl -T ps -Fh e.h\n"),
-        (Names{"hlsl/shaders.cfg:1: error: '-Fc': bxc writes no listing; spirv-dis makes one of the .spv",
+        (Names{"hlsl/shaders.cfg:1: error: '-Fc': bxc does not write listings; spirv-dis makes one from the .spv",
                "hlsl/shaders.cfg:3: error: '-T xs_5_0': expected vs, hs, ds, gs, ps or cs, with or without a "
                "version, as "
                "in ps_5_0",
                "hlsl/shaders.cfg:4: error: 'd.hlsl' has no profile: expected -T vs_5_0, ps_5_0 or cs_5_0",
                "hlsl/shaders.cfg:5: error: no shader file is given",
-               "hlsl/shaders.cfg:6: error: '-Fh e.h': in a manifest no line has a header; --embed NAME makes one of "
-               "them all"}));
+               "hlsl/shaders.cfg:6: error: '-Fh e.h': a line of a manifest cannot have a header; --embed NAME makes "
+               "one for all of them"}));
 }
 
 TEST(ManifestTest, EntryPointsInBracesAreShadersOfTheirOwn) {
@@ -173,7 +173,7 @@ TEST(ManifestTest, ShaderMakesFormIsRead) {
     EXPECT_EQ(Outputs(text, defaults),
               (Names{"out/folder/of it/a_x.spv", "out/folder/of it/a.f.spv", "out/b.spv", "out/e.spv", "out/f.spv"}));
     EXPECT_EQ(Errors("#endif\n"), Names{"hlsl/shaders.cfg:1: error: #endif without #ifdef NAME, #if 0 or #if 1"});
-    EXPECT_EQ(Errors("a.hlsl -T ps\n#if 1\n"), Names{"hlsl/shaders.cfg:2: error: a condition without its #endif"});
+    EXPECT_EQ(Errors("a.hlsl -T ps\n#if 1\n"), Names{"hlsl/shaders.cfg:2: error: a condition that no #endif ends"});
 }
 
 TEST(ManifestTest, TwoLinesWithOneOutputAreAnErrorThatNamesBoth) {
@@ -197,8 +197,8 @@ TEST(ManifestTest, OutputOutsideTheFolderIsAnError) {
 }
 
 TEST(ManifestTest, WrongBracesAreErrors) {
-    EXPECT_EQ(Errors("a.hlsl -T ps -D A={1,2"), Names{"hlsl/shaders.cfg:1: error: a { without its }"});
-    EXPECT_EQ(Errors("a.hlsl -T ps -D \"A"), Names{"hlsl/shaders.cfg:1: error: a \" without its partner"});
+    EXPECT_EQ(Errors("a.hlsl -T ps -D A={1,2"), Names{"hlsl/shaders.cfg:1: error: a { that is never closed"});
+    EXPECT_EQ(Errors("a.hlsl -T ps -D \"A"), Names{"hlsl/shaders.cfg:1: error: a \" that is never closed"});
     EXPECT_EQ(Errors("a.hlsl -T ps -D A={}"), Names{"hlsl/shaders.cfg:1: error: 'A={}': braces without a value"});
     EXPECT_EQ(
         Errors("a.hlsl -T ps -D A={a/b}"),

@@ -35,8 +35,7 @@ TEST_F(NamesTest, MessagesShowTheBytesThatAreNotUtf8) {
                     .err.starts_with(std::string(kShown) + ".hlsl:1:37: error: 'nothing': unknown variable"));
     Write(name + ".hlsl", kPlainPixelShader);
     const RunResult build = Bxc({"build", "m.cfg", "-o", "out"});
-    EXPECT_EQ(build.err,
-              std::string(kShown) + ".hlsl:1: error: there is no function 'none' to enter [missing_entry]\n");
+    EXPECT_EQ(build.err, std::string(kShown) + ".hlsl:1: error: there is no entry point 'none' [missing_entry]\n");
 }
 
 TEST_F(NamesTest, EmbeddedNamesAreLiterals) {
@@ -51,8 +50,7 @@ TEST_F(NamesTest, LineBreaksAreRefusedInOneLine) {
     Write("a\nb.hlsl", kPlainPixelShader);
     const RunResult run = Bxc({"compile", "a\nb.hlsl", "-T", "ps", "-o", "o.spv"});
     EXPECT_EQ(run.exitCode, 2);
-    EXPECT_EQ(run.err,
-              "bxc: 'a\\nb.hlsl': a word with a line break, which a line of make's cannot name (bxc --help)\n");
+    EXPECT_EQ(run.err, "bxc: 'a\\nb.hlsl': no makefile can name a word with a line break (bxc --help)\n");
 }
 
 }  // namespace

@@ -1,9 +1,10 @@
-#include "tools/bxc/options.h"
-
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
+
+#include "tools/bxc/commands/build.h"
+#include "tools/bxc/commands/compile.h"
 
 namespace boxcar {
 namespace {
@@ -12,22 +13,27 @@ CompileOptions Parse(const std::vector<std::string>& words) {
     return ParseCompileOptions(words);
 }
 
-std::string CompileRefusal(const std::vector<std::string>& words) {
+// The message with which a parser refuses a command line, or "accepted".
+template <typename Parser>
+std::string Refusal(Parser parse, const std::vector<std::string>& words) {
     try {
-        ParseCompileOptions(words);
+        parse(words);
     } catch (const UsageError& error) {
         return error.what();
     }
     return "accepted";
 }
 
-std::string Refusal(const std::vector<std::string>& words) {
-    try {
-        ParseOptions(words);
-    } catch (const UsageError& error) {
-        return error.what();
-    }
-    return "accepted";
+std::string ShaderRefusal(const std::vector<std::string>& words) {
+    return Refusal(Parse, words);
+}
+
+std::string CompileRefusal(const std::vector<std::string>& words) {
+    return Refusal(ParseCompileCommand, words);
+}
+
+std::string BuildRefusal(const std::vector<std::string>& words) {
+    return Refusal(ParseBuildCommand, words);
 }
 
 constexpr const char* kAccepted =
@@ -84,12 +90,12 @@ TEST(OptionsTest, ProfileSelectsTheStageWithOrWithoutAVersion) {
     EXPECT_EQ(Parse({"a", "-T", "gs_5_0"}).stage, ShaderStage::Geometry);
     EXPECT_EQ(Parse({"a", "-Tvs_4_0_level_9_3"}), Parse({"a", "-T", "vs"}));
     for (const char* profile : {"xs_5_0", "ps_5", "ps50", "p", "", "PS_5_0", "ps_4_0_level_9", "ps_4_0_level_9_1_"})
-        EXPECT_EQ(CompileRefusal({"a", "-T", profile}), "'-T " + std::string(profile) +
-                                                            "': expected vs, hs, ds, gs, ps or cs, with or without a "
-                                                            "version, as in ps_5_0");
+        EXPECT_EQ(ShaderRefusal({"a", "-T", profile}), "'-T " + std::string(profile) +
+                                                           "': expected vs, hs, ds, gs, ps or cs, with or without a "
+                                                           "version, as in ps_5_0");
     for (const char* profile : {"lib_6_3", "ms_6_5", "as"})
         EXPECT_EQ(
-            CompileRefusal({"a", "-T", profile}),
+            ShaderRefusal({"a", "-T", profile}),
             "'-T " + std::string(profile) +
                 "': ray tracing, mesh and amplification shaders are not compiled; expected vs, hs, ds, gs, ps or "
                 "cs");
@@ -97,7 +103,7 @@ TEST(OptionsTest, ProfileSelectsTheStageWithOrWithoutAVersion) {
 
 TEST(OptionsTest, WrongFlagIsNamedWithThoseThatAreAccepted) {
     for (const char* flag : {"-Fy", "/od", "--after-all", "-zi"})
-        EXPECT_EQ(CompileRefusal({"a", "-T", "ps", flag}),
+        EXPECT_EQ(ShaderRefusal({"a", "-T", "ps", flag}),
                   "unknown flag '" + std::string(flag) + "'; accepted: " + kAccepted);
 }
 
@@ -165,9 +171,9 @@ TEST(OptionsTest, FlagsOfOtherCompilersThatBxcCanMeanAreRead) {
 
 TEST(OptionsTest, FlagsThatBxcCannotMeanAreRefusedWithTheReason) {
     const std::pair<std::vector<std::string>, const char*> refusals[] = {
-        {{"/Fc", "a.asm"}, "'-Fc': bxc writes no listing; spirv-dis makes one of the .spv"},
+        {{"/Fc", "a.asm"}, "'-Fc': bxc does not write listings; spirv-dis makes one from the .spv"},
         {{"/Fea.txt"}, "'-Fe': messages go to stderr; redirect them"},
-        {{"-fvk-use-scalar-layout"}, "'-fvk-use-scalar-layout': constants lie as in Direct3D"},
+        {{"-fvk-use-scalar-layout"}, "'-fvk-use-scalar-layout': constants are laid out as in Direct3D"},
         {{"-fvk-bind-globals", "0", "1"}, "'-fvk-bind-globals': constants outside a cbuffer are refused"},
         {{"-fspv-target-env=vulkan1.0"},
          "'-fspv-target-env=vulkan1.0': the SPIR-V is version 1.3, for Vulkan 1.1 and later: expected vulkan1.1 or "
@@ -180,7 +186,7 @@ TEST(OptionsTest, FlagsThatBxcCannotMeanAreRefusedWithTheReason) {
     for (const auto& [flags, message] : refusals) {
         std::vector<std::string> words = {"a", "-T", "ps"};
         words.insert(words.end(), flags.begin(), flags.end());
-        EXPECT_EQ(CompileRefusal(words), message);
+        EXPECT_EQ(ShaderRefusal(words), message);
     }
 }
 
@@ -191,7 +197,7 @@ TEST(OptionsTest, LaterValueOfAMacroReplacesTheOneBefore) {
 
 TEST(OptionsTest, OnlyStagesThatFollowEachOtherAreLinked) {
     const auto linked = [](const char* stage, const char* before) {
-        return CompileRefusal({"a", "-T", stage, "--after", "b", "--after-T", before, "--after-E", "f"});
+        return ShaderRefusal({"a", "-T", stage, "--after", "b", "--after-T", before, "--after-E", "f"});
     };
     const std::pair<const char*, const char*> links[] = {{"ps", "vs"}, {"ps", "ds"}, {"ps", "gs"}, {"gs", "vs"},
                                                          {"gs", "ds"}, {"hs", "vs"}, {"ds", "hs"}, {"ds", "vs"}};
@@ -207,63 +213,61 @@ TEST(OptionsTest, OnlyStagesThatFollowEachOtherAreLinked) {
 }
 
 TEST(OptionsTest, WrongValueIsNamedWithWhatIsExpected) {
-    EXPECT_EQ(CompileRefusal({"a", "-T"}), "'-T' needs a value");
-    EXPECT_EQ(CompileRefusal({"a", "-T", "ps", "-D", "1A=2"}), "'-D 1A=2': expected NAME or NAME=VALUE");
-    EXPECT_EQ(CompileRefusal({"a", "-T", "ps", "-E", "a b"}), "'-E a b': expected the name of a function");
-    EXPECT_EQ(CompileRefusal({"a", "-T", "ps", "-HV", "2020"}), "'-HV 2020': expected 2016, 2017, 2018 or 2021");
-    EXPECT_EQ(CompileRefusal({"-T", "ps"}), "no shader file is given");
-    EXPECT_EQ(CompileRefusal({"a", "b", "-T", "ps"}), "'b': expected one shader file; there is 'a'");
-    EXPECT_EQ(CompileRefusal({"a"}), "'a' has no profile: expected -T vs_5_0, ps_5_0 or cs_5_0");
-    EXPECT_EQ(CompileRefusal({"a", "-T", "ps", "-O4"}), "'-O 4': expected a whole number from 0 to 3");
+    EXPECT_EQ(ShaderRefusal({"a", "-T"}), "'-T' needs a value");
+    EXPECT_EQ(ShaderRefusal({"a", "-T", "ps", "-D", "1A=2"}), "'-D 1A=2': expected NAME or NAME=VALUE");
+    EXPECT_EQ(ShaderRefusal({"a", "-T", "ps", "-E", "a b"}), "'-E a b': expected the name of a function");
+    EXPECT_EQ(ShaderRefusal({"a", "-T", "ps", "-HV", "2020"}), "'-HV 2020': expected 2016, 2017, 2018 or 2021");
+    EXPECT_EQ(ShaderRefusal({"-T", "ps"}), "no shader file is given");
+    EXPECT_EQ(ShaderRefusal({"a", "b", "-T", "ps"}), "'b': expected one shader file; there is 'a'");
+    EXPECT_EQ(ShaderRefusal({"a"}), "'a' has no profile: expected -T vs_5_0, ps_5_0 or cs_5_0");
+    EXPECT_EQ(ShaderRefusal({"a", "-T", "ps", "-O4"}), "'-O 4': expected a whole number from 0 to 3");
 }
 
 TEST(OptionsTest, CommandsAreRead) {
-    const Options build = ParseOptions(std::vector<std::string>{"build", "s.cfg", "-o", "out", "-j4", "--embed", "e",
-                                                                "--depfile=d", "--timeout", "7", "--max-memory=64"});
-    EXPECT_EQ(build.command, Command::Build);
+    const BuildCommandOptions build = ParseBuildCommand(std::vector<std::string>{
+        "s.cfg", "-o", "out", "-j4", "--embed", "e", "--depfile=d", "--timeout", "7", "--max-memory=64"});
     EXPECT_EQ(build.manifest, "s.cfg");
     EXPECT_EQ(build.outputDir, "out");
-    EXPECT_EQ(build.jobs, 4);
+    EXPECT_EQ(build.limits.workers, 4);
     EXPECT_EQ(build.embed, "e");
     EXPECT_EQ(build.depfile, "d");
-    EXPECT_EQ(build.timeoutSeconds, 7);
-    EXPECT_EQ(build.maxMemoryMib, 64);
-    EXPECT_EQ(ParseOptions(std::vector<std::string>{"--version"}).command, Command::Version);
+    EXPECT_EQ(build.limits.timeoutSeconds, 7);
+    EXPECT_EQ(build.limits.maxMemoryMib, 64);
+    const CompileCommandOptions compile =
+        ParseCompileCommand(std::vector<std::string>{"a", "-T", "ps", "-o", "a.spv", "--timeout=7"});
+    EXPECT_EQ(compile.shader.output, "a.spv");
+    EXPECT_EQ(compile.limits.timeoutSeconds, 7);
 }
 
 TEST(OptionsTest, FlagsOfABuildHoldForEveryLine) {
-    const Options build = ParseOptions(
-        std::vector<std::string>{"build", "s.cfg", "-o", "out", "-D", "A=1", "-Iinc", "-HV", "2021", "-WX", "-Zpr"});
-    EXPECT_EQ(build.compile.defines, (std::vector<Define>{{"A", "1"}}));
-    EXPECT_EQ(build.compile.includeDirs, std::vector<std::string>{"inc"});
-    EXPECT_EQ(build.compile.hlslVersion, 2021);
-    EXPECT_TRUE(build.compile.warningsAreErrors && build.compile.rowMajor);
+    const BuildCommandOptions build = ParseBuildCommand(
+        std::vector<std::string>{"s.cfg", "-o", "out", "-D", "A=1", "-Iinc", "-HV", "2021", "-WX", "-Zpr"});
+    EXPECT_EQ(build.everyShader.defines, (std::vector<Define>{{"A", "1"}}));
+    EXPECT_EQ(build.everyShader.includeDirs, std::vector<std::string>{"inc"});
+    EXPECT_EQ(build.everyShader.hlslVersion, 2021);
+    EXPECT_TRUE(build.everyShader.warningsAreErrors && build.everyShader.rowMajor);
     EXPECT_EQ(build.outputDir, "out");
 }
 
 TEST(OptionsTest, WrongCommandLineIsRefused) {
-    EXPECT_EQ(Refusal({}), "no command is given; accepted: compile, build, --help, --version");
-    EXPECT_EQ(Refusal({"run"}), "unknown command 'run'; accepted: compile, build, --help, --version");
-    EXPECT_EQ(Refusal({"build", "-o", "x"}), "expected one manifest; 0 are given");
-    EXPECT_EQ(Refusal({"build", "a", "b", "-o", "x"}), "expected one manifest; 2 are given");
-    EXPECT_EQ(Refusal({"build", "a"}), "no output folder is given: expected -o DIR");
-    EXPECT_EQ(Refusal({"build", "a", "-o", "x", "-E", "f"}),
+    EXPECT_EQ(BuildRefusal({"-o", "x"}), "expected one manifest; 0 are given");
+    EXPECT_EQ(BuildRefusal({"a", "b", "-o", "x"}), "expected one manifest; 2 are given");
+    EXPECT_EQ(BuildRefusal({"a"}), "no output folder is given: expected -o DIR");
+    EXPECT_EQ(BuildRefusal({"a", "-o", "x", "-E", "f"}),
               "unknown flag '-E'; accepted: -o -j --embed --depfile --timeout --max-memory -D -I -Od -O -Zi -WX -Gec "
               "-Gis -HV -Zpr -Zpc -enable-16bit-types -fvk-b-shift -fvk-s-shift -fvk-t-shift -fvk-u-shift "
               "-fvk-invert-y -fvk-use-dx-position-w -fspv-target-env");
     for (const char* number : {"0", "257", "x", "1.5", "", "-1", "99999999999"})
-        EXPECT_EQ(Refusal({"build", "a", "-o", "x", "-j", number}),
+        EXPECT_EQ(BuildRefusal({"a", "-o", "x", "-j", number}),
                   "'-j " + std::string(number) + "': expected a whole number from 1 to 256");
-    EXPECT_EQ(Refusal({"build", "a", "-o", "x", "--embed", "a-b"}), "'--embed a-b': expected a C++ identifier");
-    EXPECT_EQ(Refusal({"compile", "a", "-T", "ps"}), "no output is given: expected -o OUT.spv");
+    EXPECT_EQ(BuildRefusal({"a", "-o", "x", "--embed", "a-b"}), "'--embed a-b': expected a C++ identifier");
+    EXPECT_EQ(CompileRefusal({"a", "-T", "ps"}), "no output is given: expected -o OUT.spv");
     for (const char* output : {"x", "x.hlsl"})
-        EXPECT_EQ(Refusal({"compile", "a.hlsl", "-T", "ps", "-o", output}),
+        EXPECT_EQ(CompileRefusal({"a.hlsl", "-T", "ps", "-o", output}),
                   "'-o " + std::string(output) + "': expected a name that ends in .spv and is not the shader's");
-    EXPECT_EQ(Refusal({"compile", "a.hlsl", "-T", "ps", "-Fo", "a.hlsl"}),
-              "the output 'a.hlsl' is the shader itself");
-    EXPECT_EQ(Refusal({"compile", "a.hlsl", "-T", "ps", "-Fh", "a.hlsl"}),
-              "the output 'a.hlsl' is the shader itself");
-    EXPECT_EQ(Refusal({"compile", "a.spv", "-T", "ps", "-o", "a.spv"}),
+    EXPECT_EQ(CompileRefusal({"a.hlsl", "-T", "ps", "-Fo", "a.hlsl"}), "the output 'a.hlsl' is the shader itself");
+    EXPECT_EQ(CompileRefusal({"a.hlsl", "-T", "ps", "-Fh", "a.hlsl"}), "the output 'a.hlsl' is the shader itself");
+    EXPECT_EQ(CompileRefusal({"a.spv", "-T", "ps", "-o", "a.spv"}),
               "'-o a.spv': expected a name that ends in .spv and is not the shader's");
 }
 

@@ -57,7 +57,7 @@ TEST_F(OutlineTest, FunctionIsFoundWhereItHasABody) {
 }
 
 constexpr const char* kStageInterface =
-    "struct Light { float3 colour : COLOR; };\n"
+    "struct Light { float3 color : COLOR; };\n"
     "struct VsIn { float3 position : POSITION; float2 uv : TEXCOORD0; };\n"
     "struct VsOut {\n"
     "    float4 position : SV_Position;\n"
@@ -83,7 +83,7 @@ TEST_F(OutlineTest, OutputIsAFieldOfTheResultOrAnOutParameterOrTheFunction) {
     EXPECT_EQ(outline.Output("main", "position"), At("a.hlsl", 4));
     EXPECT_EQ(outline.Output("main", "uv[3]"), At("a.hlsl", 5));
     EXPECT_EQ(outline.Output("main", "extra"), At("a.hlsl", 5));
-    EXPECT_EQ(outline.Output("main", "colour"), At("a.hlsl", 1));
+    EXPECT_EQ(outline.Output("main", "color"), At("a.hlsl", 1));
     EXPECT_EQ(outline.Output("main", "depth"), At("a.hlsl", 10));
     EXPECT_EQ(outline.Output("main", ""), At("a.hlsl", 8));
 }

@@ -67,12 +67,12 @@ TEST_F(SourceTest, IncludesThatNestTooDeepAreRefused) {
 
 TEST_F(SourceTest, WhatIsNotAReadableTextIsRefused) {
     Write("binary.hlsl", std::string("abc\0def", 7));
-    EXPECT_EQ(OpenError("binary.hlsl"), "cannot read 'binary.hlsl': it is not text: byte 3 is 0");
+    EXPECT_EQ(OpenError("binary.hlsl"), "'binary.hlsl': not text: byte 3 is 0");
     Write("words.hlsl", "\x03\x02#\x07");
-    EXPECT_EQ(OpenError("words.hlsl"), "cannot read 'words.hlsl': it is not text: byte 0 is 3");
-    EXPECT_EQ(OpenError("none.hlsl"), "cannot read 'none.hlsl': No such file or directory");
-    EXPECT_EQ(OpenError("."), "cannot read '.': it is a directory");
-    EXPECT_EQ(OpenError("/dev/zero"), "cannot read '/dev/zero': it is longer than 16 MiB");
+    EXPECT_EQ(OpenError("words.hlsl"), "'words.hlsl': not text: byte 0 is 3");
+    EXPECT_EQ(OpenError("none.hlsl"), "'none.hlsl': cannot be read: No such file or directory");
+    EXPECT_EQ(OpenError("."), "'.': a folder; a file is expected");
+    EXPECT_EQ(OpenError("/dev/zero"), "'/dev/zero': longer than 16 MiB, the most that is read");
 }
 
 TEST_F(SourceTest, TextOfUpTo16MibIsAccepted) {
@@ -82,7 +82,7 @@ TEST_F(SourceTest, TextOfUpTo16MibIsAccepted) {
     std::string error;
     EXPECT_NE(source.Open("most.hlsl", error), nullptr) << error;
     EXPECT_EQ(source.Open("more.hlsl", error), nullptr);
-    EXPECT_EQ(error, "cannot read 'more.hlsl': it is longer than 16 MiB");
+    EXPECT_EQ(error, "'more.hlsl': longer than 16 MiB, the most that is read");
 }
 
 TEST_F(SourceTest, ByteOrderMarkIsNotPartOfTheText) {

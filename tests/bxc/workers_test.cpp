@@ -50,7 +50,7 @@ TEST_F(WorkersTest, HangOfTheCompilerIsEndedAndTheRestGoOn) {
     const RunResult run = Bxc({"build", "s.cfg", "-o", "out", "-j1", "--timeout", "5", "--max-memory", "100000"});
     EXPECT_LT(std::chrono::steady_clock::now() - started, std::chrono::seconds(55));
     EXPECT_EQ(run.exitCode, 1);
-    EXPECT_EQ(run.err, "hang.hlsl: error: the compiler was ended: it took more than 5 s\n");
+    EXPECT_EQ(run.err, "hang.hlsl: error: the compiler was stopped: it took more than 5 s\n");
     EXPECT_TRUE(Exists("out/good.spv"));
 }
 
@@ -60,7 +60,7 @@ TEST_F(WorkersTest, CompileThatDevoursTheMemoryIsEndedAndTheRestGoOn) {
     Write("s.cfg", "eat.hlsl -T ps\ngood.hlsl -T ps\n");
     const RunResult run = Bxc({"build", "s.cfg", "-o", "out", "-j1", "--max-memory", "400"});
     EXPECT_EQ(run.exitCode, 1);
-    EXPECT_EQ(run.err, "eat.hlsl: error: the compiler was ended: it took more than 400 MiB of memory\n");
+    EXPECT_EQ(run.err, "eat.hlsl: error: the compiler was stopped: it took more than 400 MiB of memory\n");
     EXPECT_TRUE(Exists("out/good.spv"));
 }
 
@@ -87,7 +87,7 @@ TEST_F(WorkersTest, MessagesComeInTheOrderOfTheManifest) {
     for (int i = 0; i < 12; ++i) {
         Write(fmt::format("{}.hlsl", i), i % 2 ? "" : "float loose; float4 main() : SV_Target0 { return loose; }");
         manifest += fmt::format("{}.hlsl -T ps\n", i);
-        expected += i % 2 ? fmt::format("{}.hlsl:1: error: there is no function 'main' to enter [missing_entry]\n", i)
+        expected += i % 2 ? fmt::format("{}.hlsl:1: error: there is no entry point 'main' [missing_entry]\n", i)
                           : fmt::format(
                                 "{}.hlsl:1:7: error: 'loose' is a constant outside a cbuffer; put it into a "
                                 "named cbuffer with a register, or make it static const [loose_globals]\n",

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <random>
 
-#include "samples/cli/bands.h"
-#include "samples/cli/disparity.h"
+#include "samples/app/bands.h"
+#include "samples/app/disparity.h"
 #include "tests/cli/program.h"
 #include "tests/reference/order.h"
 

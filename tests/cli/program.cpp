@@ -1,25 +1,13 @@
 #include "tests/cli/program.h"
 
 #include <fmt/format.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <random>
 
 namespace boxcar {
 namespace {
-
-namespace fs = std::filesystem;
-
-std::string ReadText(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 std::string DeviceFlags(const std::string& arguments, const std::string& device) {
     for (const char* command :
@@ -30,23 +18,6 @@ std::string DeviceFlags(const std::string& arguments, const std::string& device)
 
 }  // namespace
 
-Folder::Folder() {
-    std::string name = (fs::temp_directory_path() / "boxcar-test-XXXXXX").string();
-    m_path = mkdtemp(name.data());
-}
-
-Folder::~Folder() {
-    fs::remove_all(m_path);
-}
-
-std::vector<std::string> Folder::Names() const {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(m_path))
-        names.push_back(entry.path().filename().string());
-    std::sort(names.begin(), names.end());
-    return names;
-}
-
 Outcome Folder::Run(const std::string& arguments, const std::string& environment, int seconds) const {
     const char* named = std::getenv("BOXCAR_TEST_DEVICE");
     return RunOn(named ? named : "llvmpipe", arguments, environment, seconds);
@@ -54,21 +25,9 @@ Outcome Folder::Run(const std::string& arguments, const std::string& environment
 
 Outcome Folder::RunOn(const std::string& device, const std::string& arguments, const std::string& environment,
                       int seconds) const {
-    const fs::path captured = m_path.string() + "-captured";
-    fs::create_directory(captured);
-    // A redirection of the arguments' own comes last and wins.
-    const std::string command = fmt::format(
-        "cd '{}' && {} timeout {} " BOXCAR_PROGRAM " > '{}/out' 2> '{}/err' {}{} ", m_path.string(), environment,
-        seconds, captured.string(), captured.string(), arguments, DeviceFlags(arguments, device));
-    const int status = std::system(command.c_str());
-    Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, ReadText(captured / "out"),
-                    ReadText(captured / "err")};
-    fs::remove_all(captured);
-    return outcome;
-}
-
-void Folder::WriteText(const std::string& name, const std::string& text) const {
-    std::ofstream(m_path / name, std::ios::binary) << text;
+    const std::string command = fmt::format("{} timeout {} " BOXCAR_PROGRAM " {}{}", environment, seconds, arguments,
+                                            DeviceFlags(arguments, device));
+    return test::RunProgram({"sh", "-c", command}, Path());
 }
 
 Picture RandomPicture(uint32_t widthTexels, uint32_t heightTexels, uint32_t channels, SampleType stored) {

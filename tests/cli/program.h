@@ -8,25 +8,16 @@
 
 #include "samples/files/picture.h"
 #include "tests/reference/box.h"
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
 
 namespace boxcar {
 
-struct Outcome {
-    int exitCode = -1;
-    std::string out;
-    std::string err;
-};
+using Outcome = test::RunResult;
 
-// A folder for one test, gone when it ends.
-class Folder {
+// A folder for one test, with boxcar to run in it.
+class Folder : public test::TemporaryFolder {
 public:
-    Folder();
-    ~Folder();
-    Folder(Folder&&) = delete;
-
-    std::string Path(const std::string& name) const { return (m_path / name).string(); }
-    std::vector<std::string> Names() const;  // what is in it, sorted
-
     // `boxcar ARGUMENTS` in this folder, through the shell, under the validation layer and on the test device where
     // it takes a device. `environment`: NAME=VALUE words in front. Ended after so many seconds (exit code 124).
     Outcome Run(const std::string& arguments, const std::string& environment = "", int seconds = 120) const;
@@ -34,11 +25,6 @@ public:
     // The same with --device `device`.
     Outcome RunOn(const std::string& device, const std::string& arguments, const std::string& environment = "",
                   int seconds = 120) const;
-
-    void WriteText(const std::string& name, const std::string& text) const;
-
-private:
-    std::filesystem::path m_path;
 };
 
 // A picture of random samples in [0, 1], in whole codes of what it is stored as.

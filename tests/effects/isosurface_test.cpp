@@ -7,6 +7,7 @@
 #include <glm/vector_relational.hpp>
 #include <tuple>
 
+#include "effects_shaders.h"
 #include "hlsl/constants/isosurface_constants.h"
 #include "tests/effects/effect_pictures.h"
 #include "tests/reference/bspline.h"
@@ -214,16 +215,17 @@ TEST(MarschnerLobb, IsTheSignal) {
 TEST(Isosurface, OffsetsInCppEqualThoseInTheShaders) {
     using March = IsosurfaceMarchConstants;
     using Shade = IsosurfaceShadeConstants;
-    EXPECT_EQ(OffsetsIn("shaders/isosurface_march.ps.FILTER=TRICUBIC"),
+    EXPECT_EQ(OffsetsIn(effects_shaders::Find("shaders/isosurface_march.ps.FILTER=TRICUBIC")),
               (Offsets{OFFSET(March, eyeVoxels), OFFSET(March, iso), OFFSET(March, forwardVoxels),
                        OFFSET(March, stepVoxels), OFFSET(March, rightVoxels), OFFSET(March, blocksAcross),
                        OFFSET(March, upVoxels)}));
-    EXPECT_EQ(OffsetsIn("shaders/isosurface_shade.ps.FILTER=TRICUBIC"),
+    EXPECT_EQ(OffsetsIn(effects_shaders::Find("shaders/isosurface_shade.ps.FILTER=TRICUBIC")),
               (Offsets{OFFSET(Shade, eyeMillimetres), OFFSET(Shade, shade), OFFSET(Shade, voxelMillimetres),
                        OFFSET(Shade, radiusMillimetres), OFFSET(Shade, lightMillimetres), OFFSET(Shade, unused0),
                        OFFSET(Shade, worldX), OFFSET(Shade, unused1), OFFSET(Shade, worldY), OFFSET(Shade, unused2),
                        OFFSET(Shade, worldZ)}));
-    EXPECT_EQ(OffsetsIn("shaders/isosurface_blocks.ps"), (Offsets{OFFSET(IsosurfaceBlocksConstants, blocksAcross)}));
+    EXPECT_EQ(OffsetsIn(effects_shaders::Find("shaders/isosurface_blocks.ps")),
+              (Offsets{OFFSET(IsosurfaceBlocksConstants, blocksAcross)}));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <glm/trigonometric.hpp>
 #include <map>
 
+#include "effects_shaders.h"
 #include "hlsl/constants/effect_constants.h"
 #include "passes_shaders.h"
 #include "runtime/passes/summed_area_table.h"
@@ -50,7 +51,7 @@ Texels DeviceMoments(const Texels& depth, Extent2D extent, const Texels& boxes, 
     const Extent2D boxesExtent{static_cast<uint32_t>(boxes.size()), 1};
     const Image boxImage = Upload(boxesExtent, boxes), result(TestDevice(), {boxesExtent, Format::RGBA32F, "result"});
     const Pipeline encode(TestDevice(), {passes_shaders::Find("shaders/quad.vs"),
-                                         passes_shaders::Find("shaders/shadow_moments.ps"),
+                                         effects_shaders::Find("shaders/shadow_moments.ps"),
                                          {Format::RGBA32UI, Format::RGBA32UI}});
     const Pipeline read(TestDevice(), {.vertex = passes_shaders::Find("shaders/quad.vs"),
                                        .pixel = test_support_shaders::Find("shaders/sat_moments.ps")});
@@ -256,7 +257,7 @@ TEST(SoftShadow, OffsetsInCppEqualThoseInTheShaders) {
                          OFFSET(SoftShadowConstants, lampSizeWorld), OFFSET(SoftShadowConstants, texelsAtOne),
                          OFFSET(SoftShadowConstants, bleedCut),      OFFSET(SoftShadowConstants, skyLight),
                          OFFSET(SoftShadowConstants, unused)};
-    EXPECT_EQ(OffsetsIn("shaders/soft_shadow.ps.HARD=0"), all);
+    EXPECT_EQ(OffsetsIn(effects_shaders::Find("shaders/soft_shadow.ps.HARD=0")), all);
 }
 
 }  // namespace

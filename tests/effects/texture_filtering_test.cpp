@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 
+#include "effects_shaders.h"
 #include "hlsl/constants/effect_constants.h"
 #include "samples/scenes/camera.h"
 #include "tests/effects/effect_pictures.h"
@@ -206,7 +207,8 @@ TEST(TextureFiltering, MagnifiedTheTableIsBilinear) {
 }
 
 TEST(TextureFiltering, OffsetsInCppEqualThoseInTheShaders) {
-    EXPECT_EQ(OffsetsIn("shaders/texture_pattern.ps"), (Offsets{OFFSET(TexturePatternConstants, cells)}));
+    EXPECT_EQ(OffsetsIn(effects_shaders::Find("shaders/texture_pattern.ps")),
+              (Offsets{OFFSET(TexturePatternConstants, cells)}));
 }
 
 }  // namespace

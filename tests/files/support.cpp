@@ -28,33 +28,6 @@
 
 namespace boxcar::test {
 
-TemporaryFolder::TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "boxcar_files_XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw Error("{}: no folder can be made", name);
-    m_path = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-    std::filesystem::remove_all(m_path);
-}
-
-std::vector<std::string> TemporaryFolder::Names() const {
-    std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(m_path))
-        names.push_back(entry.path().filename());
-    std::sort(names.begin(), names.end());
-    return names;
-}
-
-std::string TemporaryFolder::Put(const std::string& name, ByteView bytes) const {
-    const std::string path = Path(name);
-    // A file that is cut to nothing and written anew goes to the disk at once on ext4, which takes its time.
-    if (std::filesystem::is_regular_file(path)) std::filesystem::remove(path);
-    std::ofstream(path, std::ios::binary)
-        .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    return path;
-}
-
 Bytes Contents(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     return Bytes(std::istreambuf_iterator<char>(file), {});

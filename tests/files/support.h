@@ -15,6 +15,7 @@
 
 #include "samples/files/bytes.h"
 #include "samples/files/picture.h"
+#include "tests/support/temporary_folder.h"
 #include "tools/base/error.h"
 
 namespace boxcar::test {
@@ -24,24 +25,6 @@ struct Size {
     uint32_t height;
 };
 constexpr Size kSizes[] = {{1, 1}, {1, 6}, {6, 1}, {12, 19}, {49, 2}};
-
-// A new folder, removed with all that is in it.
-class TemporaryFolder {
-public:
-    TemporaryFolder();
-    ~TemporaryFolder();
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    std::string Path(const std::string& name) const { return (m_path / name).string(); }
-    // The names of all that is in it, sorted.
-    std::vector<std::string> Names() const;
-    // Writes a file and returns its path.
-    std::string Put(const std::string& name, ByteView bytes) const;
-
-private:
-    std::filesystem::path m_path;
-};
 
 Bytes Contents(const std::string& path);
 Bytes ToBytes(std::string_view text);

@@ -25,7 +25,7 @@ ShaderLayout FullLayout() {
                                   ResourceKind::TexelBuffer};
     for (const ResourceKind kind : kinds)
         layout.resources.push_back(
-            {"resource", kind, 1, 96, 0, 68, {{"tint", 0, 16}, {"light.colour", 16, 12}}, TextureDimension::Volume});
+            {"resource", kind, 1, 96, 0, 68, {{"tint", 0, 16}, {"light.color", 16, 12}}, TextureDimension::Volume});
     layout.inputs = {{"uv[1]", "TEXCOORD1", 1, 4, "float4"}};
     layout.outputs = {{"", "SV_TARGET0", 0, 1, "uint2"}};
     layout.writesPosition = true;

@@ -10,6 +10,7 @@
 #include <glm/packing.hpp>
 
 #include "hlsl/constants/bspline_constants.h"
+#include "passes_shaders.h"
 #include "test_support_shaders.h"
 #include "tests/hlsl/test_constants.h"
 #include "tests/reference/bspline.h"
@@ -427,7 +428,7 @@ TEST(BSplineLookup, RefusesWhatItDoesNotHold) {
 
 TEST(BSplineLookup, OffsetsInCppEqualThoseInTheShaders) {
     const Offsets table = {OFFSET(BSplineLookupConstants, sizeTexels), OFFSET(BSplineLookupConstants, sigmaTexels)};
-    EXPECT_EQ(OffsetsIn("shaders/bspline_lookup.ps.KERNEL=GAUSS"), table);
+    EXPECT_EQ(OffsetsIn(passes_shaders::Find("shaders/bspline_lookup.ps.KERNEL=GAUSS")), table);
 }
 
 }  // namespace

@@ -245,10 +245,12 @@ TEST(Resize, SmallerPicturesDoNotAlias) {
 }
 
 TEST(Resize, OffsetsInCppEqualThoseInTheShaders) {
-    EXPECT_EQ(OffsetsIn("shaders/resize.ps.FILTER=LINEAR"),
+    EXPECT_EQ(OffsetsIn(passes_shaders::Find("shaders/resize.ps.FILTER=LINEAR")),
               (Offsets{OFFSET(ResizeConstants, stepTexels), OFFSET(ResizeConstants, alongX)}));
-    EXPECT_EQ(OffsetsIn("shaders/bspline_weights.ps.ORDER=0"), (Offsets{OFFSET(BSplineWeightsConstants, points)}));
-    EXPECT_EQ(OffsetsIn("shaders/bspline_prefilter.ps"), (Offsets{OFFSET(BSplinePrefilterConstants, stepTexels)}));
+    EXPECT_EQ(OffsetsIn(passes_shaders::Find("shaders/bspline_weights.ps.ORDER=0")),
+              (Offsets{OFFSET(BSplineWeightsConstants, points)}));
+    EXPECT_EQ(OffsetsIn(passes_shaders::Find("shaders/bspline_prefilter.ps")),
+              (Offsets{OFFSET(BSplinePrefilterConstants, stepTexels)}));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "hlsl/constants/effect_constants.h"
 #include "hlsl/constants/sat_constants.h"
+#include "passes_shaders.h"
 #include "tests/support/offsets.h"
 
 namespace boxcar {
@@ -31,20 +32,19 @@ TEST(PassesConstants, OffsetsInCppEqualThoseInTheShaders) {
     const Offsets lensOver = {OFFSET(LensOverConstants, diameterTexels), OFFSET(LensOverConstants, boxes),
                               OFFSET(LensOverConstants, sides),          OFFSET(LensOverConstants, codeScale),
                               OFFSET(LensOverConstants, opacity),        OFFSET(LensOverConstants, isLast)};
-    const Offsets lensMips = {OFFSET(LensMipsConstants, focusDisparity), OFFSET(LensMipsConstants, apertureTexels),
-                              OFFSET(LensMipsConstants, noiseLevels)};
-    EXPECT_EQ(OffsetsIn("shaders/lens_width.ps"), lens);
-    EXPECT_EQ(OffsetsIn("shaders/lens_layer.ps"), lensLayer);
-    EXPECT_EQ(OffsetsIn("shaders/lens_over.ps.WORDS=2"), lensOver);
-    EXPECT_EQ(OffsetsIn("shaders/lens_mips.ps"), lensMips);
-    EXPECT_EQ(OffsetsIn("shaders/sat_pass.vs.TAPS=16"), pass);
-    EXPECT_EQ(OffsetsIn("shaders/sat_pass_load.ps.TAPS=2"), pass);
-    EXPECT_EQ(OffsetsIn("shaders/sat_pass_exact.ps.TAPS=2.WORDS=2"), pass);
-    EXPECT_EQ(OffsetsIn("shaders/mean.ps"), mean);
-    EXPECT_EQ(OffsetsIn("shaders/sat_extend.ps.WORDS=1"), extend);
-    EXPECT_EQ(OffsetsIn("shaders/sat_filter.ps.EDGE=SAT_EDGE_CLIP"), filter);
-    EXPECT_EQ(OffsetsIn("shaders/sat_filter_exact.ps.ORDER=2.WHOLE=0.WORDS=2.EDGE=SAT_EDGE_CLIP"), filter);
-    EXPECT_EQ(OffsetsIn("shaders/sat_blur_verbatim.ps"), filter);
+    EXPECT_EQ(OffsetsIn(passes_shaders::Find("shaders/lens_width.ps")), lens);
+    EXPECT_EQ(OffsetsIn(passes_shaders::Find("shaders/lens_layer.ps")), lensLayer);
+    EXPECT_EQ(OffsetsIn(passes_shaders::Find("shaders/lens_over.ps.WORDS=2")), lensOver);
+    EXPECT_EQ(OffsetsIn(passes_shaders::Find("shaders/sat_pass.vs.TAPS=16")), pass);
+    EXPECT_EQ(OffsetsIn(passes_shaders::Find("shaders/sat_pass_load.ps.TAPS=2")), pass);
+    EXPECT_EQ(OffsetsIn(passes_shaders::Find("shaders/sat_pass_exact.ps.TAPS=2.WORDS=2")), pass);
+    EXPECT_EQ(OffsetsIn(passes_shaders::Find("shaders/mean.ps")), mean);
+    EXPECT_EQ(OffsetsIn(passes_shaders::Find("shaders/sat_extend.ps.WORDS=1")), extend);
+    EXPECT_EQ(OffsetsIn(passes_shaders::Find("shaders/sat_filter.ps.EDGE=SAT_EDGE_CLIP")), filter);
+    EXPECT_EQ(
+        OffsetsIn(passes_shaders::Find("shaders/sat_filter_exact.ps.ORDER=2.WHOLE=0.WORDS=2.EDGE=SAT_EDGE_CLIP")),
+        filter);
+    EXPECT_EQ(OffsetsIn(passes_shaders::Find("shaders/sat_blur_verbatim.ps")), filter);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "hlsl/constants/precision_constants.h"
 #include "hlsl/constants/sat_constants.h"
 #include "passes_shaders.h"
+#include "precision_shaders.h"
 #include "runtime/passes/summed_area_table.h"
 #include "test_support_shaders.h"
 #include "tests/precision/subjects.h"
@@ -201,15 +202,15 @@ TEST(PrecisionTable, SnrIsThatOfTheDefinition) {
 }
 
 TEST(PrecisionConstants, OffsetsInCppEqualThoseInTheShaders) {
-    EXPECT_EQ(OffsetsIn("shaders/precision_texel.ps.PRECISION=fp32"),
+    EXPECT_EQ(OffsetsIn(precision_shaders::Find("shaders/precision_texel.ps.PRECISION=fp32")),
               Offsets({OFFSET(PrecisionTexelConstants, bias), OFFSET(PrecisionTexelConstants, extentTexels),
                        OFFSET(PrecisionTexelConstants, frameTexels), OFFSET(PrecisionTexelConstants, scale)}));
-    EXPECT_EQ(OffsetsIn("shaders/precision_pass.ps.PRECISION=fp32.TAPS=2"),
+    EXPECT_EQ(OffsetsIn(precision_shaders::Find("shaders/precision_pass.ps.PRECISION=fp32.TAPS=2")),
               Offsets({OFFSET(SATPassConstants, strideUv), OFFSET(SATPassConstants, strideTexels),
                        OFFSET(SATPassConstants, originTexels)}));
-    EXPECT_EQ(OffsetsIn("shaders/precision_line.ps.PRECISION=fp32"),
+    EXPECT_EQ(OffsetsIn(precision_shaders::Find("shaders/precision_line.ps.PRECISION=fp32")),
               Offsets({OFFSET(PrecisionLineConstants, stepTexels)}));
-    EXPECT_EQ(OffsetsIn("shaders/precision_box.ps.PRECISION=fp32"),
+    EXPECT_EQ(OffsetsIn(precision_shaders::Find("shaders/precision_box.ps.PRECISION=fp32")),
               Offsets({OFFSET(PrecisionBoxConstants, extentTexels), OFFSET(PrecisionBoxConstants, middleTexels),
                        OFFSET(PrecisionBoxConstants, bias), OFFSET(PrecisionBoxConstants, sizeTexels),
                        OFFSET(PrecisionBoxConstants, frameTexels)}));

@@ -5,16 +5,15 @@
 #include <map>
 #include <string>
 
-#include "passes_shaders.h"
 #include "tools/layout/shader_layout.h"
 
 namespace boxcar {
 
 using Offsets = std::map<std::string, uint32_t>;
 
-// The members that a shader uses: the optimiser may leave the rest out.
-inline Offsets OffsetsIn(std::string_view shader) {
-    const ShaderLayout layout = ShaderLayoutFromJson(passes_shaders::Find(shader).layoutJson);
+// The members that a shader uses: the optimizer may leave the rest out.
+inline Offsets OffsetsIn(const EmbeddedShader& shader) {
+    const ShaderLayout layout = ShaderLayoutFromJson(shader.layoutJson);
     Offsets offsets;
     for (const LayoutResource& resource : layout.resources)
         if (resource.kind == ResourceKind::PushConstants)

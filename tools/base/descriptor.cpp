@@ -7,6 +7,10 @@
 
 namespace boxcar {
 
+bool Descriptor::Close() {
+    return m_number < 0 || ::close(std::exchange(m_number, -1)) == 0;
+}
+
 bool WriteAll(int descriptor, std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
         const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());

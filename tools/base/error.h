@@ -1,4 +1,4 @@
-// How every part of Boxcar reports what the outside did wrong, and what a caller did wrong.
+// How every part of Boxcar reports errors: those of the outside world and those of a caller.
 #pragma once
 
 #include <fmt/format.h>
@@ -10,9 +10,9 @@
 
 namespace boxcar {
 
-// Something outside the program is not as it must be: a file, a device, a flag. The text names the offending value
-// and what would be accepted; it is made Printable(), so it is one line of UTF-8 whatever the value is. Programs
-// print it after their own name and exit 1.
+// Something outside the program is wrong: a file, a device, a flag. The text names the offending value and what would
+// be accepted. It is made Printable(), so it is one line of UTF-8 whatever the value is. Programs print it after
+// their own name and exit with 1.
 class Error : public std::runtime_error {
 public:
     template <typename... Args>
@@ -20,7 +20,7 @@ public:
         : std::runtime_error(Printable(fmt::format(format, std::forward<Args>(args)...))) {}
 };
 
-// The command line is wrong. Programs exit 2.
+// The command line is wrong. Programs exit with 2.
 class UsageError : public Error {
 public:
     using Error::Error;
@@ -31,5 +31,5 @@ public:
 
 }  // namespace boxcar
 
-// A caller's mistake, never the outside's. On in release builds.
+// For mistakes of the caller, never of the outside world. On in release builds.
 #define BOXCAR_ASSERT(condition) ((condition) ? void() : ::boxcar::AssertFailed(#condition, __FILE__, __LINE__))

@@ -62,11 +62,11 @@ bool WriteToInherited(int descriptor, std::span<const std::byte> bytes) {
 // Opens a file that is there, has `write` write to it, closes it.
 template <typename Write>
 bool WithOpen(const std::string& path, Write write) {
-    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-    if (descriptor < 0) return false;
-    const bool isWritten = write(descriptor);
+    Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+    if (file.Number() < 0) return false;
+    const bool isWritten = write(file.Number());
     const int error = errno;
-    const bool isClosed = ::close(descriptor) == 0;  // some file systems only now say that the disk is full
+    const bool isClosed = file.Close();
     if (!isWritten) errno = error;
     return isWritten && isClosed;
 }
@@ -108,7 +108,7 @@ bool OutputFile::Prepare() {
 
     if (exists) m_oldBytes = old.st_size;
     m_temporary.emplace(target.path.parent_path(), exists ? 0600 : 0666);
-    const int file = m_temporary->Descriptor();
+    const int file = m_temporary->Number();
     if (file < 0 ? exists && IsFolderClosed() : exists && !HandOn(old, file)) {
         m_temporary.reset();
         return true;

@@ -1,4 +1,4 @@
-// Files out: whole or not at all, through links, to streams, beside other people's.
+// Files out: whole or not at all, through links, and to streams.
 #pragma once
 
 #include <cstddef>
@@ -10,27 +10,27 @@
 
 namespace boxcar {
 
-// The descriptor of this process that writing to `path` writes to: N of /dev/fd/N, 1 of /dev/stdout, and of links
-// that end there.
+// The descriptor of this process that `path` stands for: N for /dev/fd/N, 1 for /dev/stdout, and the same for links
+// to them.
 std::optional<int> DescriptorOf(const std::string& path);
 
-// Bytes on their way to a file. They go to a new file in the same folder, which takes the name with Commit(): until
-// then, or where something fails, the old file is as it was. A link stays, and what it points to is written. A file
-// that is replaced hands on its owner, group and permissions; its access control lists, extended attributes and other
-// hard links stay with the old bytes.
+// Bytes on their way to a file. They go to a new file in the same folder, which takes the name with Commit(). Until
+// then, or if anything fails, the old file stays as it was. A link stays, and what it points to is written. The new
+// file has the owner, group and permissions of the old one, but not its access control lists, extended attributes and
+// other hard links.
 //
-// Written directly, so that a failure in the midst leaves a part:
+// These are written directly, so a failure halfway leaves an incomplete file:
 //   /dev/stdout, /dev/fd/N, ..       by Prepare(): the descriptor as it is, where it stands, at the end if it was
 //                                    opened to append
-//   no regular file                  by Prepare(): a FIFO, a device such as /dev/null
+//   not a regular file               by Prepare(): a FIFO, a device such as /dev/null
 //   a file whose folder takes no     by Commit(): over its old bytes; what a new file would not keep (above) is kept.
 //   new one, or no new one that has  A disk that is full is noticed before the first of them is lost, where the file
 //   the same owner and permissions   system can tell
 //
-// Both functions return false where they fail, and errno says why. Not copyable.
+// Both functions return false if they fail, and errno says why. Not copyable.
 class OutputFile {
 public:
-    // `bytes` stay the caller's, until Commit().
+    // `bytes` must stay valid until Commit().
     OutputFile(std::string path, std::span<const std::byte> bytes);
 
     bool Prepare();

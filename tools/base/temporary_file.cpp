@@ -10,14 +10,13 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
-#include <utility>
 
 namespace boxcar {
 namespace {
 
 constexpr std::array kEnding = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXCPU, SIGXFSZ};
 
-// What the handler takes away.
+// The files that the signal handler removes.
 std::array<std::atomic<const char*>, 16> names;
 static_assert(std::atomic<const char*>::is_always_lock_free);
 
@@ -36,8 +35,8 @@ sigset_t EndingSignals() {
     return set;
 }
 
-// Between a name's coming into the world and into the table, or its leaving them, no signal is handled: not by this
-// thread, where it waits, nor by another, such as a driver's, where the handler does.
+// While this exists, the table and the files do not have to agree. A signal to this thread waits until then; in
+// another thread, such as a driver's, the handler waits for the lock.
 class Exclusive {
 public:
     Exclusive() {
@@ -56,7 +55,8 @@ private:
     sigset_t m_before;
 };
 
-// Calls only what a handler may. The lock stays: no more files are made. The signal is blocked until this returns.
+// Calls only what a signal handler may. It keeps the lock, so no more files are made. The signal is blocked until
+// this returns.
 void UnlinkAndEnd(int signal) {
     Lock();
     for (const auto& name : names)
@@ -91,9 +91,9 @@ TemporaryFile::TemporaryFile(const std::string& folder, mode_t permissions) {
     int number = 0;
     do {
         m_name = fmt::format("{}{}.boxcar-{}-{}", folder, folder.empty() ? "" : "/", ::getpid(), number++);
-        m_descriptor = ::open(m_name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions);
-    } while (m_descriptor < 0 && errno == EEXIST);
-    if (m_descriptor < 0)
+        m_descriptor = Descriptor(::open(m_name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions));
+    } while (Number() < 0 && errno == EEXIST);
+    if (Number() < 0)
         m_name.clear();
     else
         Replace(nullptr, m_name.c_str());
@@ -105,10 +105,6 @@ TemporaryFile::~TemporaryFile() {
     const Exclusive exclusive;
     ::unlink(m_name.c_str());
     Replace(m_name.c_str(), nullptr);
-}
-
-bool TemporaryFile::Close() {
-    return m_descriptor < 0 || ::close(std::exchange(m_descriptor, -1)) == 0;
 }
 
 bool TemporaryFile::RenameTo(const std::string& path) {

@@ -20,32 +20,32 @@ struct Remedy {
     Blame blame = Blame::Compiler;
 };
 constexpr Remedy kRemedies[] = {
-    {"Ldexp", "write x * exp2(e) for ldexp(x, e)"},
-    {"vector bool: Any", "compare with 0 instead of any() of a scalar"},
-    {"vector bool: All", "compare with 0 instead of all() of a scalar"},
+    {"Ldexp", "write x * exp2(e) instead of ldexp(x, e)"},
+    {"vector bool: Any", "compare with 0 instead of calling any() on a scalar"},
+    {"vector bool: All", "compare with 0 instead of calling all() on a scalar"},
     {"Matrix types can only be parameterized", "use a float matrix, or an array of vectors"},
     {"Expected Sampled Image", "compile with -Gec for sampler and tex2D, or use Texture2D and SamplerState"},
-    {"VUID-Position-Position", "let SV_Position be a float4"},
-    {"conflicting input location", "let system values be out parameters, not inout"},
-    {"conflicting output location", "give every output a semantic of its own"},
+    {"VUID-Position-Position", "make SV_Position a float4"},
+    {"conflicting input location", "make system values out parameters, not inout"},
+    {"conflicting output location", "give each output its own semantic"},
     {"OpTypeImage", "make texture variables in functions, not global or static"},
     {"OpTypeSampler", "make sampler variables in functions, not global or static"},
-    {"If OpTypeBool is stored", "declare {} uint"},
-    {"needs to be a bool scalar", "declare {} bool", Blame::Shader},
-    {"needs to be a 32-bit float scalar", "declare {} float", Blame::Shader},
-    {"needs to be a 32-bit int scalar", "declare {} uint", Blame::Shader},
-    {"needs to be a 32-bit int array", "declare {} uint", Blame::Shader},
-    {"needs to be a 3-component 32-bit int vector", "declare {} uint3", Blame::Shader},
+    {"If OpTypeBool is stored", "declare {} as uint"},
+    {"needs to be a bool scalar", "declare {} as bool", Blame::Shader},
+    {"needs to be a 32-bit float scalar", "declare {} as float", Blame::Shader},
+    {"needs to be a 32-bit int scalar", "declare {} as uint", Blame::Shader},
+    {"needs to be a 32-bit int array", "declare {} as uint", Blame::Shader},
+    {"needs to be a 3-component 32-bit int vector", "declare {} as uint3", Blame::Shader},
     {"Derivative instructions require", "ddx, ddy, fwidth and Sample are for pixel shaders", Blame::Shader},
     {"OpKill requires", "discard and clip are for pixel shaders", Blame::Shader},
     {"Workgroup Storage Class", "groupshared is for compute shaders", Blame::Shader},
-    {"OpControlBarrier execution scope", "barriers of a group are for compute shaders", Blame::Shader},
+    {"OpControlBarrier execution scope", "group barriers are for compute shaders", Blame::Shader},
 };
 
 Remedy RemedyFor(std::string_view fault) {
     const auto found = std::ranges::find_if(
         kRemedies, [&](const Remedy& remedy) { return fault.find(remedy.sign) != std::string_view::npos; });
-    return found != std::end(kRemedies) ? *found : Remedy{"", "write that part of the shader in another way"};
+    return found != std::end(kRemedies) ? *found : Remedy{"", "write that part of the shader another way"};
 }
 
 // A function, variable and line of the HLSL; "" and a place without a file are unknown.
@@ -153,7 +153,7 @@ Diagnostic BlameCompiler(const SpirvFault& fault, ValidationStep step, const Com
         return {origin.place, Severity::Error, fmt::format("invalid SPIR-V{}: {} ({})", where, advice, fault.text)};
     const char* const maker = step == ValidationStep::Final ? "from the optimizer" : "from the compiler";
     return {origin.place, Severity::Error,
-            fmt::format("invalid SPIR-V {}{}, which is its fault and not the shader's: {} ({})", maker, where, advice,
+            fmt::format("invalid SPIR-V {}{}, which is its fault, not the shader's: {} ({})", maker, where, advice,
                         fault.text)};
 }
 

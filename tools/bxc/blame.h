@@ -1,5 +1,5 @@
-// An invalid module is the compiler's fault, and never tells where it comes from: this finds the place in the HLSL,
-// and knows what to write instead.
+// Explains an invalid module. It is nearly always the compiler's fault, and the validator does not know the HLSL that
+// it was made from. This finds the line, and says what to write instead.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +11,11 @@
 
 namespace boxcar {
 
-// What to tell of a module that is not valid.
+// What to tell the user about a module that is not valid.
 //
 //   fault       what the validator says of it
-//   withLines   the same stage's module of the same shader, compiled with source lines; empty if there is none. The
-//               fault is looked for in it again, because the two differ
+//   withLines   the module of the same shader at the same step, but compiled with source lines; empty if there is
+//               none. The validator runs on it again, because instructions are numbered differently in it
 Diagnostic BlameCompiler(const SpirvFault& fault, ValidationStep step, const CompileOptions& options,
                          const std::vector<uint32_t>& withLines);
 

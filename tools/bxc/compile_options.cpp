@@ -135,14 +135,14 @@ struct Refusal {
     const char* reason;
 };
 constexpr Refusal kRefused[] = {
-    {"-Fc", 1, "bxc writes no listing; spirv-dis makes one of the .spv"},
-    {"-Fx", 1, "bxc writes no listing; spirv-dis makes one of the .spv"},
+    {"-Fc", 1, "bxc does not write listings; spirv-dis makes one from the .spv"},
+    {"-Fx", 1, "bxc does not write listings; spirv-dis makes one from the .spv"},
     {"-Fe", 1, "messages go to stderr; redirect them"},
     {"-Fre", 1, "reflection goes to the .layout.json beside the .spv"},
     {"-Frs", 1, "Vulkan has no root signatures"},
-    {"-P", 1, "bxc writes no preprocessed text"},
-    {"-fvk-use-gl-layout", 0, "constants lie as in Direct3D"},
-    {"-fvk-use-scalar-layout", 0, "constants lie as in Direct3D"},
+    {"-P", 1, "bxc does not write preprocessed text"},
+    {"-fvk-use-gl-layout", 0, "constants are laid out as in Direct3D"},
+    {"-fvk-use-scalar-layout", 0, "constants are laid out as in Direct3D"},
     {"-fspv-preserve-bindings", 0, "what a shader does not use is not in its layout"},
     {"-fspv-preserve-interface", 0, "what a shader does not use is not in its layout"},
     {"-fvk-bind-globals", 2, "constants outside a cbuffer are refused"},
@@ -164,26 +164,27 @@ void AppendForeignFlags(std::vector<Flag>& flags) {
 
 }  // namespace
 
-const char* const kCompileFlagsHelp =
-    R"(  -T PROFILE      vs_5_0, hs_5_0, ds_5_0, gs_5_0, ps_5_0, cs_5_0 or short vs, hs, ds, gs, ps, cs
-  -E NAME         entry point; main unless given
-  -D NAME[=VALUE] macro; VALUE is 1 unless given
-  -I DIR          where #include looks, after the including file's folder
-  -O0 .. -O3      0 (also -Od) only makes the SPIR-V legal, 1 makes it small, 2 and 3 fast; -O3 unless given
-  -Zi             source text and lines in the SPIR-V
+const char* const kCompileFlagsHelp = R"(
+  -T PROFILE      vs_5_0, hs_5_0, ds_5_0, gs_5_0, ps_5_0, cs_5_0; or just vs, hs, ds, gs, ps, cs
+  -E NAME         entry point; main by default
+  -D NAME[=VALUE] macro; VALUE is 1 by default
+  -I DIR          where #include looks, after the folder of the file that includes
+  -O0 .. -O3      0 (also -Od) only makes the SPIR-V legal, 1 makes it small, 2 and 3 fast; -O3 by default
+  -Zi             puts the source text and its lines into the SPIR-V
   -WX             warnings are errors
-  -Gec            Direct3D 9 samplers: sampler, tex2D
-  -Gis            arithmetic as written: no product and sum become one
-  -HV YEAR        2016, 2017, 2018, 2021; with 2021 there are select, and, or
-  -Zpr, -Zpc      matrices lie in memory row by row, or column by column as they do unless given
+  -Gec            allows the samplers of Direct3D 9: sampler, tex2D
+  -Gis            arithmetic as written: no product and sum become one operation
+  -HV YEAR        2016, 2017, 2018 or 2021, which has select, and, or; 2018 by default
+  -Zpr, -Zpc      matrices are stored row by row, or column by column, which is the default
   -enable-16bit-types     half and min16float have 16 bits; the device must have shaderFloat16
-  -fvk-t-shift N SPACE    register(tM, spaceSPACE) is binding N + M; SPACE may be all; also b, s, u. With one of these,
-                          what none of them names is shifted by 0; with none, bN is N, sN 16 + N, uN 32 + N, tN 96 + N
-  -fvk-invert-y           the position's y is negated
+  -fvk-t-shift N SPACE    register(tM, spaceSPACE) becomes binding N + M; SPACE may be all; b, s and u likewise.
+                          With any of these, registers that none of them names are not shifted; with none of them,
+                          bN is N, sN is 16 + N, uN is 32 + N, tN is 96 + N
+  -fvk-invert-y           negates the position's y
   -fvk-use-dx-position-w  w of SV_Position in a pixel shader is w, not 1 / w
   -fspv-target-env=ENV    vulkan1.1 or later: the SPIR-V is the same
   --after FILE    the shader that feeds this one: their interfaces must match
-  --after-T PROFILE, --after-E NAME   its stage, vs (before a domain shader hs), and its entry point, main
+  --after-T PROFILE, --after-E NAME   its stage, vs by default (hs if this is a domain shader), and its entry point
 )";
 
 std::vector<Flag> CompileFlags(CompileOptions& options, bool& hasProfile) {

@@ -1,6 +1,6 @@
 // How one shader is compiled: the flags that `bxc compile` and every line of a manifest share. One parser reads both,
-// so a flag means the same everywhere. Flags are named as in fxc and dxc; what those have besides is ignored where it
-// cannot change the SPIR-V, and refused with the reason where it can.
+// so a flag means the same everywhere. Flags are named as in fxc and dxc. Their other flags are ignored if they
+// cannot change the SPIR-V, and refused with the reason if they can.
 #pragma once
 
 #include <span>
@@ -43,12 +43,13 @@ struct CompileOptions {
     bool warningsAreErrors = false;          // -WX
     bool dx9Compatible = false;              // -Gec: sampler, tex2D and the like
     int hlslVersion = 2018;                  // -HV 2016, 2017, 2018 or 2021; 2021 has select, and, or
-    bool rowMajor = false;                   // -Zpr; else -Zpc: how a matrix lies in memory that does not say
-    bool strictMath = false;                 // -Gis: no product and sum become one
+    bool rowMajor = false;                   // -Zpr; else -Zpc: the order of matrices that do not say theirs
+    bool strictMath = false;                 // -Gis: no product and sum are fused
     bool native16Bit = false;                // -enable-16bit-types: half and min16float have 16 bits
     bool invertY = false;                    // -fvk-invert-y: the position's y is negated
-    bool dxPositionW = false;           // -fvk-use-dx-position-w: w of SV_Position in a pixel shader as in Direct3D
-    std::vector<RegisterShift> shifts;  // -fvk-{b,s,t,u}-shift; with one of them, what none names is shifted by 0
+    bool dxPositionW = false;  // -fvk-use-dx-position-w: w of SV_Position in a pixel shader as in Direct3D
+    std::vector<RegisterShift>
+        shifts;  // -fvk-{b,s,t,u}-shift; with any of these, what none of them names is not shifted
 
     std::string after;                             // --after: the shader that feeds this one, or ""
     ShaderStage afterStage = ShaderStage::Vertex;  // --after-T; before a domain shader always hull
@@ -63,20 +64,20 @@ struct CompileOptions {
     bool operator==(const CompileOptions&) const = default;
 };
 
-// The flags, which write to `options`; `hasProfile` becomes true with -T. Both outlive them.
+// The flags, which write to `options`; -T sets `hasProfile`. Both must outlive the flags.
 std::vector<Flag> CompileFlags(CompileOptions& options, bool& hasProfile);
 
 // Reads FILE and flags, on top of `defaults`. Throws UsageError: the text names the word that is wrong and what would
 // be accepted.
 CompileOptions ParseCompileOptions(std::span<const std::string> words, const CompileOptions& defaults = {});
 
-// What ParseCompileOptions checks once all is read; `others` are the words that are no flags.
+// What ParseCompileOptions checks once everything is read; `others` are the words that are not flags.
 void CheckCompileOptions(CompileOptions& options, bool hasProfile, std::span<const std::string> others);
 
-// The flags that were given, in a canonical form: the same text compiles the same. Without FILE and outputs.
+// The flags that were given, in a canonical form: the same text means the same SPIR-V. Without FILE and outputs.
 std::string ToText(const CompileOptions& options);
 
-// The flags with what they mean, for --help.
+// The flags and what they mean, for HelpText.
 extern const char* const kCompileFlagsHelp;
 
 }  // namespace boxcar

@@ -1,7 +1,8 @@
 // From HLSL to SPIR-V. One interface, so that another compiler can stand behind it; today glslang does.
 //
-// Bindings: register(bN) is binding N, sN is 16 + N, uN is 32 + N, tN is 96 + N, spaceN is set N. A resource without
-// a register gets the next free binding of its class. With -Gec a sampler is texture and sampler in one: 96 + N.
+// Bindings: those of tools/layout/registers.h, or what the user's shifts make of them; spaceN is set N. A resource
+// without a register gets the next free binding of its class. With -Gec a sampler is texture and sampler in one, and
+// takes a t register.
 #pragma once
 
 #include <cstdint>
@@ -15,9 +16,9 @@
 
 namespace boxcar {
 
-// What the compiler made of one entry point.
+// What the compiler makes of one entry point.
 struct CompiledShader {
-    // Neither legalised nor valid for Vulkan yet. Semantics are in it as decorations. Empty without an entry point.
+    // Neither legalized nor valid for Vulkan yet. Semantics are in it as decorations. Empty without an entry point.
     std::vector<uint32_t> spirv;
     std::string preprocessed;  // the source after the preprocessor, with #line where file or line jump
     bool hasEntry = false;     // false: there is no such function, which is for a rule to refuse
@@ -27,7 +28,7 @@ class Compiler {
 public:
     virtual ~Compiler() = default;
 
-    // Appends what the compiler says to `diagnostics`, each message once; if it refuses the shader, at least one of
+    // Appends the compiler's messages to `diagnostics`, each one once; if it refuses the shader, at least one of
     // them is an error. Reads its files from `source`.
     virtual CompiledShader Compile(const CompileOptions& options, Source& source, Diagnostics& diagnostics) = 0;
 };

@@ -1,4 +1,4 @@
-// Arithmetic as it is written: with -Gis no driver may make one operation of a product and a sum.
+// Arithmetic as it is written: with -Gis no driver may fuse a product and a sum into one operation.
 #pragma once
 
 #include <cstdint>

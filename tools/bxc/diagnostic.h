@@ -1,4 +1,4 @@
-// What bxc has to say about a user's shader: values, which the report prints at the end.
+// What bxc has to say about a user's shader, as values. The report prints them.
 #pragma once
 
 #include <fmt/format.h>
@@ -32,8 +32,8 @@ using Diagnostics = std::vector<Diagnostic>;
 
 bool HasErrors(const Diagnostics& diagnostics);
 
-// The form that gcc prints and editors jump to: "shaders/sat.ps.hlsl:12:5: error: text", without the numbers that
-// are unknown.
+// The form that gcc prints and editors jump to: "shaders/sat.ps.hlsl:12:5: error: text", leaving out
+// numbers that are unknown.
 std::string ToText(const Diagnostic& diagnostic);
 
 }  // namespace boxcar

@@ -1,11 +1,8 @@
 #include "tools/bxc/embed.h"
 
-#include <cerrno>
 #include <cstring>
-#include <fstream>
-#include <sstream>
 
-#include "tools/base/error.h"
+#include "tools/base/read_file.h"
 #include "tools/bxc/write.h"
 
 namespace boxcar {
@@ -68,28 +65,22 @@ std::string Literal(std::string_view text) {
     return literal + "\"";
 }
 
-std::string ReadFile(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw Error("cannot read '{}': {}", path, std::strerror(errno));
-    std::ostringstream bytes;
-    bytes << file.rdbuf();
-    return bytes.str();
-}
-
 }  // namespace
 
 void WriteEmbedded(const std::vector<ShaderJob>& jobs, const std::string& dir, const std::string& name) {
     std::string words, table;
     for (size_t i = 0; i < jobs.size(); ++i) {
         const OutputFiles files = FilesOf(jobs[i]);
-        const std::string bytes = ReadFile(files.spirv);
+        const std::vector<uint8_t> bytes = ReadFile(files.spirv, {fmt::format("'{}'", files.spirv)});
+        const std::vector<uint8_t> layout = ReadFile(files.layout, {fmt::format("'{}'", files.layout)});
         words += fmt::format("// {}\nconst uint32_t kSpirv{}[] = {{", Literal(jobs[i].options.output), i);
         for (size_t at = 0; at + sizeof(uint32_t) <= bytes.size(); at += sizeof(uint32_t)) {
             uint32_t word;
             std::memcpy(&word, &bytes[at], sizeof word);
             words += fmt::format("{}{:#x},", at % 32 == 0 ? "\n" : "", word);
         }
-        words += fmt::format("\n}};\nconst char kLayout{}[] = R\"json({})json\";\n\n", i, ReadFile(files.layout));
+        words += fmt::format("\n}};\nconst char kLayout{}[] = R\"json({})json\";\n\n", i,
+                             std::string_view(reinterpret_cast<const char*>(layout.data()), layout.size()));
         table += fmt::format("    {{{}, kSpirv{}, kLayout{}}},\n", Literal(jobs[i].options.output), i, i);
     }
     const std::string example = Literal(jobs.empty() ? "" : jobs[0].options.output);

@@ -12,8 +12,8 @@
 
 namespace boxcar {
 
-// Writes DIR/NAME.h and DIR/NAME.cpp from the outputs of `jobs`, which must be there. Files that would not change are
-// left untouched. Throws Error naming the file that cannot be read or written.
+// Writes DIR/NAME.h and DIR/NAME.cpp from the outputs of `jobs`, which must exist. A file that would not change is
+// not touched. Throws Error naming the file that cannot be read or written.
 void WriteEmbedded(const std::vector<ShaderJob>& jobs, const std::string& dir, const std::string& name);
 
 }  // namespace boxcar

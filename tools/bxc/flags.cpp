@@ -46,7 +46,7 @@ bool ApplyJoined(std::span<const Flag> flags, const std::string& word) {
 std::vector<std::string> ParseFlags(std::span<const std::string> words, std::span<const Flag> flags) {
     for (const std::string& word : words)
         if (word.find('\n') != std::string::npos)
-            throw UsageError("'{}': a word with a line break, which a line of make's cannot name", word);
+            throw UsageError("'{}': no makefile can name a word with a line break", word);
     std::vector<std::string> others;
     for (size_t i = 0; i < words.size(); ++i) {
         const std::string& word = words[i];

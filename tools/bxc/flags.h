@@ -1,4 +1,4 @@
-// Reads command lines in the manner of fxc, dxc and GNU: -T ps, /T ps, -Tps, --depfile=FILE.
+// Reads command lines as fxc, dxc and GNU programs do: -T ps, /T ps, -Tps, --depfile=FILE.
 #pragma once
 
 #include <functional>
@@ -10,15 +10,15 @@
 namespace boxcar {
 
 struct Flag {
-    std::string_view name;  // as typed, with its dashes; one dash may be a slash too
+    std::string_view name;  // as typed, with its dashes; a slash may stand for a single dash
     size_t valueCount = 0;  // words that follow
     std::function<void(std::span<const std::string> values)> apply;
     bool joined = false;  // the value may follow without a space: -DNAME
-    bool told = true;     // named among those that are accepted
+    bool told = true;     // listed in the message about an unknown flag
 };
 
-// Applies the flags among `words` and returns the others. Throws UsageError for a flag that is none of `flags`, and
-// for one without its values.
+// Applies the flags among `words` and returns the other words. Throws UsageError for a flag that is not one of
+// `flags` and for a flag without its values.
 std::vector<std::string> ParseFlags(std::span<const std::string> words, std::span<const Flag> flags);
 
 // The number in `text`. Throws UsageError naming the flag and the limits.

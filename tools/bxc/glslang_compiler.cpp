@@ -11,6 +11,7 @@
 #include "tools/bxc/compiler.h"
 #include "tools/bxc/glslang_log.h"
 #include "tools/bxc/prelude.h"
+#include "tools/layout/registers.h"
 
 namespace boxcar {
 namespace {
@@ -87,11 +88,11 @@ public:
         shader.setAutoMapLocations(true);
         shader.setInvertY(m_options.invertY);
         shader.setDxPositionW(m_options.dxPositionW);
-        ShiftRegisters(shader);
-        if (!m_options.shifts.empty()) return;
-        shader.setShiftBinding(glslang::EResSampler, 16);
-        shader.setShiftBinding(glslang::EResUav, 32);
-        shader.setShiftBinding(glslang::EResTexture, 96);
+        if (m_options.shifts.empty())
+            for (const RegisterBase& base : kRegisterBases)
+                shader.setShiftBinding(ResourceType(base.registerClass), base.binding);
+        else
+            ShiftRegisters(shader);
     }
 
     std::string Preprocess(Includer& includer) const {
@@ -103,15 +104,21 @@ public:
     }
 
 private:
+    static glslang::TResourceType ResourceType(char registerClass) {
+        switch (registerClass) {
+            case 's': return glslang::EResSampler;
+            case 't': return glslang::EResTexture;
+            case 'u': return glslang::EResUav;
+            default: return glslang::EResUbo;
+        }
+    }
+
     // A set's own shift goes before that of all. glslang takes a set's shift of 0 for none, so that "all" has to
     // stand for the other sets one by one.
     void ShiftRegisters(glslang::TShader& shader) const {
-        constexpr std::pair<char, glslang::TResourceType> kClasses[] = {{'b', glslang::EResUbo},
-                                                                        {'s', glslang::EResSampler},
-                                                                        {'t', glslang::EResTexture},
-                                                                        {'u', glslang::EResUav}};
         constexpr int kMaxSets = 32;  // that "all" stands for beside sets of their own; drivers have no more
-        for (const auto& [registerClass, type] : kClasses) {
+        for (const char registerClass : {'b', 's', 't', 'u'}) {
+            const glslang::TResourceType type = ResourceType(registerClass);
             std::map<int, unsigned> shifts;  // by set
             for (const RegisterShift& each : m_options.shifts)
                 if (each.registerClass == registerClass) shifts[each.set] = static_cast<unsigned>(each.shift);
@@ -180,7 +187,7 @@ private:
     static CompiledShader Refuse(CompiledShader& result, const CompileOptions& options, Diagnostics& diagnostics) {
         if (!HasErrors(diagnostics))
             diagnostics.push_back(
-                {{options.file, 0, 0}, Severity::Error, "the compiler refuses it without a reason"});
+                {{options.file, 0, 0}, Severity::Error, "the compiler refuses this shader without giving a reason"});
         return std::move(result);
     }
 };

@@ -78,9 +78,8 @@ void ReadMessage(std::string_view message, const Source& source, Diagnostic& dia
     std::string_view rest = message;
     constexpr std::string_view kMissing = "Missing functionality: ";
     if (message.starts_with(kMissing)) {
-        diagnostic.text =
-            fmt::format("the compiler cannot translate this, which is its fault and not the shader's: {}",
-                        message.substr(kMissing.size()));
+        diagnostic.text = fmt::format("the compiler cannot translate this, which is its fault, not the shader's: {}",
+                                      message.substr(kMissing.size()));
         return;
     }
     const auto token = message.starts_with('\'') ? CutAt(rest, "' : ") : std::nullopt;

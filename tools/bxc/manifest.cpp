@@ -124,8 +124,9 @@ std::vector<ShaderJob> ParseManifest(std::string_view text, const std::string& m
             if (permutation.words.empty()) continue;
             const CompileOptions options = ParseCompileOptions(permutation.words, defaults);
             if (!options.header.empty())
-                throw UsageError("'-Fh {}': in a manifest no line has a header; --embed NAME makes one of them all",
-                                 options.header);
+                throw UsageError(
+                    "'-Fh {}': a line of a manifest cannot have a header; --embed NAME makes one for all of them",
+                    options.header);
             entries.push_back({line, permutation, options});
         }
     };
@@ -143,7 +144,7 @@ std::vector<ShaderJob> ParseManifest(std::string_view text, const std::string& m
         }
         text.remove_prefix(std::min(end + 1, text.size()));
     }
-    if (!conditions.AreClosed()) report(line, "a condition without its #endif");
+    if (!conditions.AreClosed()) report(line, "a condition that no #endif ends");
 
     std::vector<ShaderJob> jobs;
     std::map<std::string, int> lineOfOutput;

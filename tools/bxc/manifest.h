@@ -3,7 +3,7 @@
 //   # file, relative to the manifest, then flags as fxc and dxc take them
 //   shaders/sat_pass.ps.hlsl -T ps_5_0 -D TAPS={2,4,8,16}
 //
-// A value in braces makes one shader of each of its values (permute.h). Words with spaces go in "".
+// A word with braces makes one shader for each of the values in them (permute.h). Words with spaces go in "".
 // The output is named after the file without .hlsl, the entry point if it is not main, and the values in braces:
 // DIR/shaders/sat_pass.ps.TAPS=4.spv. #include looks in the manifest's own folder last.
 //

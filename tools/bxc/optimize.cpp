@@ -12,13 +12,13 @@ std::vector<uint32_t> Run(spvtools::Optimizer& optimizer, const std::vector<uint
             if (level > SPV_MSG_WARNING) return;  // a higher level is milder: information about the passes
             diagnostics.push_back({{file, 0, 0},
                                    level == SPV_MSG_WARNING ? Severity::Warning : Severity::Error,
-                                   fmt::format("the optimiser: {}", text)});
+                                   fmt::format("the optimizer: {}", text)});
         });
     spvtools::OptimizerOptions options;
     options.set_run_validator(false);  // that is a stage of its own
     std::vector<uint32_t> result;
     if (optimizer.Run(spirv.data(), spirv.size(), &result, options)) return result;
-    if (!HasErrors(diagnostics)) diagnostics.push_back({{file, 0, 0}, Severity::Error, "the optimiser failed"});
+    if (!HasErrors(diagnostics)) diagnostics.push_back({{file, 0, 0}, Severity::Error, "the optimizer failed"});
     return {};
 }
 

@@ -1,4 +1,4 @@
-// Where things are declared, read from the preprocessed text: compilers do not keep it as far as SPIR-V.
+// Where things are declared, read from the preprocessed text, because SPIR-V does not say it.
 //
 // Non-goals: a parser. Tokens and brackets are enough to find a name.
 #pragma once
@@ -25,7 +25,7 @@ public:
     // A function with a body, if there is one.
     std::optional<SourcePlace> Function(std::string_view name) const;
 
-    // Every place that a name stands in.
+    // Every place where a name appears.
     struct Mention {
         bool isMethod = false;     // behind a dot
         size_t argumentCount = 0;  // of a call, as a macro of that name would count them; 0: not a call, or none
@@ -37,7 +37,7 @@ public:
     SourcePlace Input(std::string_view function, std::string_view name) const;
     SourcePlace Output(std::string_view function, std::string_view name) const;
 
-    // A name that is not found is in line 1 of the main file.
+    // All of these return line 1 of the main file for a name that is not found.
 
 private:
     struct Token {

@@ -102,8 +102,8 @@ std::vector<std::string> SplitWords(std::string_view line) {
         word += c;
         inWord = true;
     }
-    if (inQuotes) throw UsageError("a \" without its partner");
-    if (inBraces) throw UsageError("a {{ without its }}");
+    if (inQuotes) throw UsageError("a \" that is never closed");
+    if (inBraces) throw UsageError("a {{ that is never closed");
     if (inWord) words.push_back(word);
     return words;
 }

@@ -1,7 +1,7 @@
-// A word with braces stands for several: the lines that one line of a manifest stands for.
+// A word with braces stands for several words, so one line of a manifest stands for several lines.
 //
-//   -D TAPS={2,4} -E {a,b}    four lines; several braces multiply, in the order of the words
-//   -D {FAST,}                with the macro and without: an empty word goes, and the -D before it
+//   -D TAPS={2,4} -E {a,b}    four lines: every combination, in the order of the words
+//   -D {FAST,}                with the macro and without: an empty word is left out, and so is the -D before it
 #pragma once
 
 #include <string>
@@ -9,14 +9,15 @@
 
 namespace boxcar {
 
-// One of the lines, and what tells its output from the others'.
+// One of the lines, and what sets its output apart from the others.
 struct Permutation {
     std::vector<std::string> words;
-    std::string suffix;           // ".TAPS=2", of every word with braces but the file and the entry point
+    std::string suffix;           // ".TAPS=2", of every word with braces except for the file and the entry point
     std::string entryFromBraces;  // the entry point if it had braces, else ""
 };
 
-// Splits a line at spaces outside "" and {}; drops what follows a #. Throws UsageError for a " or { without its end.
+// Splits a line at spaces outside "" and {}; drops what follows a #. Throws UsageError for a " or { that is never
+// closed.
 std::vector<std::string> SplitWords(std::string_view line);
 
 // Throws UsageError: braces without a value or with a / in a value that names an output; more than 4096 permutations.

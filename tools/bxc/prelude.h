@@ -1,5 +1,5 @@
-// Text that stands before a shader and adds to the language what the compiler lacks. It has no lines of its own, so
-// that messages keep theirs, and holds only what the shader mentions and does not define itself.
+// Text that is put in front of a shader and adds what the compiler lacks of the language. It does not count as lines,
+// so messages keep the right line numbers, and it holds only what the shader uses and does not define itself.
 //
 //   select, and, or          with -HV 2021: HLSL 2021's, on scalars and vectors of bool, int, uint, half, float and
 //                            double in every mixture that the conditional operator takes; select with a scalar

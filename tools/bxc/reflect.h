@@ -1,4 +1,4 @@
-// Reads back from SPIR-V what a program needs to run it. Here SPIRV-Cross does.
+// Reads from SPIR-V what a program needs to know to run it. SPIRV-Cross does the work.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ enum class ReflectScope {
     Used,  // of that, what the entry point or a function it calls uses
 };
 
-// spirv  has the semantics in it, as the compiler and Optimize() leave them
+// spirv  still has its semantics, as the compiler and Optimize() leave them
 // Appends an error to `diagnostics` if the SPIR-V cannot be read.
 ShaderLayout Reflect(const std::vector<uint32_t>& spirv, ReflectScope scope, const CompileOptions& options,
                      Diagnostics& diagnostics);

@@ -1,13 +1,13 @@
-// Puts right what the compiler gets wrong in SPIR-V though it has understood the HLSL.
+// Fixes what the compiler gets wrong in the SPIR-V of HLSL that it has understood.
 //
-//   Atomics    The methods of RWByteAddressBuffer take their operands and results as they come: a literal 1, which is
-//              an int, is added to a uint. They are converted to the type of the memory, as HLSL does; whether a
-//              minimum is signed goes by that type too.
+//   Atomics    The compiler does not convert the operands and results of RWByteAddressBuffer's methods: a literal 1,
+//              which is an int, is added to a uint. They are converted to the type of the memory, as HLSL does. That
+//              type also decides whether a minimum is signed.
 //   Positions  SV_Position of an inout parameter, and SV_Position0 anywhere, is an ordinary variable. It becomes the
-//              position (in a pixel shader that reads it, the coordinate), and gives its location up. In an array of
-//              one, or a struct of such an array, it is taken out of the array.
+//              position (in a pixel shader that reads it, the coordinate), and gives up its location. If it is in an
+//              array of one, or in a struct of such an array, it is taken out of the array.
 //   Bools      Between stages they are uint (repair_bools.h).
-//   Bindings   Push constants have none, though [[vk::push_constant]] ConstantBuffer<S> has a register.
+//   Bindings   Push constants have none, even if [[vk::push_constant]] ConstantBuffer<S> has a register.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,7 @@
 
 namespace boxcar {
 
-// spirv  as the compiler leaves it, semantics in it. Other instructions, and modules that need nothing, stay as they
-//        are.
+// spirv  as the compiler leaves it, semantics in it. Instructions that are right stay as they are.
 std::vector<uint32_t> Repair(const std::vector<uint32_t>& spirv, ShaderStage stage);
 
 }  // namespace boxcar

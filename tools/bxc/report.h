@@ -1,4 +1,4 @@
-// Tells the user: each message once, on stderr, as it comes; one line on stdout at the end of a build.
+// What the user sees: each message once, on stderr, as soon as it is there; one line on stdout at the end of a build.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@ class Report {
 public:
     ~Report() { ClearProgress(); }
 
-    // Prints those that have not been printed before, with their notes, a line each. Names in them are
-    // relative to `root`.
+    // Prints the messages that have not been printed before, with their notes, one line each. File names in them
+    // are relative to `root`.
     void Add(const Diagnostics& diagnostics, const std::string& root);
 
     // Shows how far a build is, on a terminal only.

@@ -1,4 +1,4 @@
-// What bxc refuses though the compiler accepts it. Each rule is one file in rules/: rules/NAME.cpp defines
+// What bxc refuses although the compiler accepts it. Each rule is one file in rules/: rules/NAME.cpp defines
 // boxcar::rules::NAME::Check, and the build finds it by its file name. There is no list to extend.
 #pragma once
 
@@ -13,15 +13,16 @@ namespace boxcar {
 struct RuleSubject {
     CompileOptions options;
     CompiledShader compiled;
-    Outline outline;        // where things are declared
-    ShaderLayout declared;  // all of them, before the optimiser removes anything; empty without an entry point
-    ShaderLayout used;      // what the entry point uses of that
+    Outline outline;  // where things are declared
+    ShaderLayout
+        declared;  // all resources and variables, before the optimizer removes anything; empty without an entry point
+    ShaderLayout used;  // those that the entry point uses
 
     // The entry point; line 1 of the file if there is none.
     SourcePlace EntryPlace() const;
 };
 
-// Appends an error, with its place, for everything that the rule refuses, and notes that belong to it.
+// Appends an error with its place for each thing that the rule refuses, and the notes that belong to it.
 //
 //   before  the shader that --after names, or nullptr
 using RuleCheck = void(const RuleSubject& shader, const RuleSubject* before, Diagnostics& diagnostics);

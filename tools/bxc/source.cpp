@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
+
+#include "tools/base/error.h"
+#include "tools/base/read_file.h"
 
 namespace boxcar {
 namespace {
@@ -18,33 +17,18 @@ namespace fs = std::filesystem;
 constexpr size_t kMaxFileBytes = 16 << 20;
 constexpr size_t kMaxIncludeDepth = 64;
 
-bool ReadText(const fs::path& path, std::string& text, std::string& error) {
-    std::error_code none;
-    if (fs::is_directory(path, none)) {
-        error = "it is a directory";
-        return false;
-    }
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream) {
-        error = std::strerror(errno);
-        return false;
-    }
-    // One byte more than is accepted, so that a device or a pipe without an end is noticed too.
-    text.resize(kMaxFileBytes + 1);
-    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<size_t>(stream.gcount()));
-    if (stream.bad())
-        error = std::strerror(errno);
-    else if (text.size() > kMaxFileBytes)
-        error = fmt::format("it is longer than {} MiB", kMaxFileBytes >> 20);
-    else if (const size_t zero = text.find('\0'); zero != std::string::npos)
-        error = fmt::format("it is not text: byte {} is 0", zero);
-    else if (!text.empty() && std::iscntrl(static_cast<unsigned char>(text[0])) &&
-             !std::isspace(static_cast<unsigned char>(text[0])))
-        error = fmt::format("it is not text: byte 0 is {}", static_cast<int>(text[0]));
+// Throws Error: the file cannot be read, is longer than 16 MiB or is not text.
+std::string ReadText(const fs::path& path, const std::string& name) {
+    const std::string shown = fmt::format("'{}'", name);
+    const std::vector<uint8_t> bytes = ReadFile(path, {shown, kMaxFileBytes});
+    std::string text(bytes.begin(), bytes.end());
+    if (const size_t zero = text.find('\0'); zero != std::string::npos)
+        throw Error("{}: not text: byte {} is 0", shown, zero);
+    if (!text.empty() && std::iscntrl(bytes[0]) && !std::isspace(bytes[0]))
+        throw Error("{}: not text: byte 0 is {}", shown, bytes[0]);
     if (constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf"; text.starts_with(kByteOrderMark))
         text.erase(0, kByteOrderMark.size());
-    return error.empty();
+    return text;
 }
 
 // Position of `word` in `text` as a whole word, or npos.
@@ -75,9 +59,10 @@ const Source::File* Source::Open(std::string_view name, std::string& error) {
     if (const auto known = m_files.find(normal); known != m_files.end()) return &known->second;
 
     std::string text;
-    error.clear();
-    if (!ReadText(fs::path(m_root) / normal, text, error)) {
-        error = fmt::format("cannot read '{}': {}", normal, error);
+    try {
+        text = ReadText(fs::path(m_root) / normal, normal);
+    } catch (const Error& problem) {
+        error = problem.what();
         return nullptr;
     }
     m_names.push_back(normal);

@@ -1,5 +1,5 @@
-// The texts that one shader is made of: its file and what that includes, each read once. What was read is what the
-// shader depends on.
+// The texts that one shader is made of: its file and the files it includes, each read once. The shader depends on
+// exactly the files that were read.
 #pragma once
 
 #include <map>
@@ -11,7 +11,7 @@
 
 namespace boxcar {
 
-// Files are named relative to `root`, so that nothing which is made from them depends on where the folder lies.
+// Files are named relative to `root`, so the output does not depend on where that folder is.
 class Source {
 public:
     // root         folder of the manifest; "" for the working folder
@@ -37,7 +37,7 @@ public:
     // That line, with the column at which `word` first stands in it as a whole word, if it does.
     SourcePlace PlaceOf(std::string_view name, int line, std::string_view word) const;
 
-    // True if a file that was read has the line `#define NAME ..`, in a part that is compiled or in another.
+    // True if a file that was read has the line `#define NAME ..`, even in a part that is not compiled.
     bool DefinesMacro(std::string_view name) const;
 
     // The files read so far, in the order of the first read.

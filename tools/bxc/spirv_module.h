@@ -1,4 +1,4 @@
-// A SPIR-V module as a list of instructions, for stages that change a few of them and keep the others as they are.
+// A SPIR-V module as a list of instructions, for stages that change a few of them and keep the rest.
 //
 // Non-goals: control flow, types as objects; SPIRV-Tools has those.
 #pragma once
@@ -21,7 +21,8 @@ struct SpirvInstruction {
 
 class SpirvModule {
 public:
-    // Keeps the words from an instruction on whose length is not possible out of the list; Words() gives them back.
+    // From the first instruction whose length is impossible on, words do not become part of the list; Words() still
+    // returns them.
     explicit SpirvModule(std::span<const uint32_t> words);
 
     std::vector<uint32_t> Words() const;
@@ -39,7 +40,7 @@ public:
     explicit SpirvTypes(const SpirvModule& module);
 
     uint32_t TypeOf(uint32_t value) const;    // 0: it has none
-    uint32_t PointeeOf(uint32_t type) const;  // 0: it is no pointer
+    uint32_t PointeeOf(uint32_t type) const;  // 0: it is not a pointer
     uint32_t ElementOf(uint32_t type) const;  // of an array or a vector; 0: it is neither
     bool Is(uint32_t type, uint16_t opcode) const;
     bool IsInt(uint32_t type, bool isSigned) const;  // of 32 bits

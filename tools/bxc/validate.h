@@ -1,4 +1,4 @@
-// Proves that SPIR-V keeps the rules of Vulkan 1.1. Here SPIRV-Tools does.
+// Proves that SPIR-V follows the rules of Vulkan 1.1. SPIRV-Tools does the work.
 #pragma once
 
 #include <cstddef>

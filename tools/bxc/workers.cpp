@@ -16,8 +16,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <thread>
 
+#include "tools/base/descriptor.h"
 #include "tools/base/error.h"
 
 namespace boxcar {
@@ -44,34 +46,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// A file descriptor that closes itself.
-class Descriptor {
-public:
-    explicit Descriptor(int number = -1) : m_number(number) {}
-    ~Descriptor() { Close(); }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-
-    int Number() const { return m_number; }
-    void Close() {
-        if (m_number >= 0) close(m_number);
-        m_number = -1;
-    }
-
-private:
-    int m_number;
-};
-
-bool WriteAll(int descriptor, std::string_view text) {
-    while (!text.empty()) {
-        const ssize_t written = write(descriptor, text.data(), text.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) return false;
-        text.remove_prefix(static_cast<size_t>(written));
-    }
-    return true;
-}
-
 // CBOR, since strings in JSON are UTF-8 and the name of a file is any bytes.
 std::string ToCbor(const nlohmann::json& json) {
     std::string bytes;
@@ -81,17 +55,17 @@ std::string ToCbor(const nlohmann::json& json) {
 
 using AnswerSize = uint64_t;  // of the CBOR in bytes, which is sent before it
 
-// One process. It is killed with its object.
+// One process. It ends with this object.
 class Worker {
 public:
     Worker() {
         int input[2], output[2];
         if (pipe2(input, O_CLOEXEC) != 0) throw Error("cannot make a pipe: {}", std::strerror(errno));
         Descriptor childInput(input[0]);
-        m_input = std::make_unique<Descriptor>(input[1]);
+        m_input = Descriptor(input[1]);
         if (pipe2(output, O_CLOEXEC) != 0) throw Error("cannot make a pipe: {}", std::strerror(errno));
         Descriptor childOutput(output[1]);
-        m_output = std::make_unique<Descriptor>(output[0]);
+        m_output = Descriptor(output[0]);
 
         posix_spawn_file_actions_t actions;
         posix_spawn_file_actions_init(&actions);
@@ -110,19 +84,20 @@ public:
         waitpid(m_process, nullptr, 0);
     }
 
-    void Start(size_t number, const ShaderJob& job) {
-        m_job = number;
+    void Start(size_t jobIndex, const ShaderJob& job) {
+        m_jobIndex = jobIndex;
         m_started = Clock::now();
-        WriteAll(m_input->Number(), ToCbor(job));  // if it cannot be written, the worker is dead, and Read() sees it
+        const std::string bytes = ToCbor(job);
+        WriteAll(m_input.Number(), std::as_bytes(std::span(bytes)));  // fails if the worker is dead; Read() sees it
     }
 
-    std::optional<size_t> Job() const { return m_job; }
-    int Output() const { return m_output->Number(); }
+    std::optional<size_t> JobIndex() const { return m_jobIndex; }  // nothing while the worker is idle
+    int Output() const { return m_output.Number(); }
 
-    // Reads what has arrived. Returns false at the end of the worker's life.
+    // Reads what has arrived. Returns false once the worker has ended.
     bool Read() {
         char bytes[65536];
-        const ssize_t count = read(m_output->Number(), bytes, sizeof bytes);
+        const ssize_t count = read(m_output.Number(), bytes, sizeof bytes);
         if (count < 0 && errno == EINTR) return true;
         if (count <= 0) return false;
         m_text.append(bytes, static_cast<size_t>(count));
@@ -135,12 +110,12 @@ public:
         AnswerSize size;
         std::memcpy(&size, m_text.data(), sizeof size);
         if (m_text.size() - sizeof size < size) return std::nullopt;
-        m_job.reset();
+        m_jobIndex.reset();
         const std::string answer = std::exchange(m_text, {}).substr(sizeof size);
         return nlohmann::json::from_cbor(answer).get<CompileResult>();
     }
 
-    // The cause of the end of a worker that Read() found dead.
+    // Why a worker ended that Read() found dead.
     std::string CauseOfDeath() {
         int status = 0;
         waitpid(m_process, &status, 0);
@@ -148,7 +123,7 @@ public:
         return WIFSIGNALED(status) ? strsignal(WTERMSIG(status)) : fmt::format("exit code {}", WEXITSTATUS(status));
     }
 
-    // The limit that the worker breaks, or "".
+    // What to say of the limit that the worker is over, or "".
     std::string BrokenLimit(const WorkerLimits& limits) const {
         if (Clock::now() - m_started > std::chrono::seconds(limits.timeoutSeconds))
             return fmt::format("it took more than {} s", limits.timeoutSeconds);
@@ -163,8 +138,8 @@ public:
 
 private:
     pid_t m_process = 0;
-    std::unique_ptr<Descriptor> m_input, m_output;
-    std::optional<size_t> m_job;
+    Descriptor m_input, m_output;
+    std::optional<size_t> m_jobIndex;
     Clock::time_point m_started;
     std::string m_text;
 };
@@ -189,7 +164,7 @@ void CompileAll(const std::vector<ShaderJob>& jobs, const WorkerLimits& limits,
 
     while (delivered < jobs.size()) {
         for (std::unique_ptr<Worker>& worker : workers) {
-            if (next == jobs.size() || (worker && worker->Job())) continue;
+            if (next == jobs.size() || (worker && worker->JobIndex())) continue;
             if (!worker) worker = std::make_unique<Worker>();
             worker->Start(next, jobs[next]);
             ++next;
@@ -197,20 +172,20 @@ void CompileAll(const std::vector<ShaderJob>& jobs, const WorkerLimits& limits,
 
         std::vector<pollfd> waits;
         for (const std::unique_ptr<Worker>& worker : workers)
-            waits.push_back({worker && worker->Job() ? worker->Output() : -1, POLLIN, 0});
+            waits.push_back({worker && worker->JobIndex() ? worker->Output() : -1, POLLIN, 0});
         constexpr int kMillisecondsBetweenLooksAtTheLimits = 10;
         poll(waits.data(), waits.size(), kMillisecondsBetweenLooksAtTheLimits);
 
         for (size_t i = 0; i < workers.size(); ++i) {
             if (waits[i].fd < 0) continue;
-            const size_t job = *workers[i]->Job();
+            const size_t job = *workers[i]->JobIndex();
             if (waits[i].revents != 0 && !workers[i]->Read()) {
                 results[job] = Failure(jobs[job], "the compiler crashed: " + workers[i]->CauseOfDeath());
                 workers[i].reset();
             } else if (auto answer = workers[i]->TakeAnswer()) {
                 results[job] = std::move(*answer);
             } else if (const std::string limit = workers[i]->BrokenLimit(limits); !limit.empty()) {
-                results[job] = Failure(jobs[job], "the compiler was ended: " + limit);
+                results[job] = Failure(jobs[job], "the compiler was stopped: " + limit);
                 workers[i].reset();
             }
         }
@@ -228,13 +203,13 @@ void RunWorker(const std::function<CompileResult(const ShaderJob&)>& compile) {
     const int answers = dup(STDOUT_FILENO);
     dup2(STDERR_FILENO, STDOUT_FILENO);
 
-    constexpr bool kToTheEndOfTheStream = false;  // but to the end of one job
+    constexpr bool kToTheEndOfTheStream = false;  // only to the end of one job
     while (std::cin.peek() != std::istream::traits_type::eof()) {
         const auto job = nlohmann::json::from_cbor(std::cin, kToTheEndOfTheStream).get<ShaderJob>();
         const std::string answer = ToCbor(compile(job));
         const AnswerSize size = answer.size();
-        WriteAll(answers, {reinterpret_cast<const char*>(&size), sizeof size});
-        WriteAll(answers, answer);
+        WriteAll(answers, std::as_bytes(std::span(&size, 1)));
+        WriteAll(answers, std::as_bytes(std::span(answer)));
     }
 }
 

@@ -1,33 +1,22 @@
-// Runs compiles in processes of their own, so that a compiler which crashes, hangs or devours the memory takes one
-// shader with it and not the build.
+// Compiles in separate processes, so that a compiler that crashes, hangs or uses up the memory costs one shader and
+// not the whole build.
 #pragma once
 
-#include <cstdint>
 #include <functional>
-#include <string>
 #include <vector>
 
-#include "tools/bxc/diagnostic.h"
+#include "tools/bxc/compile.h"
 #include "tools/bxc/manifest.h"
-#include "tools/layout/shader_layout.h"
 
 namespace boxcar {
 
-// What comes back from the compile of one shader. File names are relative to the job's root.
-struct CompileResult {
-    Diagnostics diagnostics;
-    std::vector<std::string> dependencies;  // every file that was read
-    std::vector<uint32_t> spirv;            // empty if there were errors
-    ShaderLayout layout;
-};
-
 struct WorkerLimits {
-    int workers = 0;          // processes at a time; 0 is one a core
+    int workers = 0;          // processes at a time; 0 is one per core
     int timeoutSeconds = 60;  // of one shader
     int maxMemoryMib = 1024;  // resident size of one worker
 };
 
-// Compiles all jobs and calls `done` for each, in the order of the jobs. A worker that dies or breaks a limit is
+// Compiles all jobs and calls `done` for each, in the order of the jobs. A worker that dies or goes over a limit is
 // replaced, and its shader gets one error that says so. Throws Error if no process can be started.
 void CompileAll(const std::vector<ShaderJob>& jobs, const WorkerLimits& limits,
                 const std::function<void(const ShaderJob&, CompileResult)>& done);

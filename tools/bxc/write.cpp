@@ -1,8 +1,8 @@
 #include "tools/bxc/write.h"
 
 #include <fcntl.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
-#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,12 +10,13 @@
 #include <cstring>
 #include <deque>
 #include <filesystem>
-#include <fstream>
 #include <span>
 #include <sstream>
 
+#include "tools/base/descriptor.h"
 #include "tools/base/error.h"
 #include "tools/base/output_file.h"
+#include "tools/base/read_file.h"
 #include "tools/bxc/compiler.h"
 #include "tools/bxc/header.h"
 #include "tools/bxc/version.h"
@@ -54,17 +55,24 @@ private:
     OutputFile m_file;
 };
 
-std::string ReadFile(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
+// What a file of an earlier run holds; "" if it cannot be read, which counts as out of date.
+std::string OldText(const std::string& path) {
+    try {
+        const std::vector<uint8_t> bytes = ReadFile(path, {path});
+        return {bytes.begin(), bytes.end()};
+    } catch (const Error&) {
+        return "";
+    }
+}
+
+FileTime TimeOf(const struct stat& status) {
+    return {status.st_mtim.tv_sec * 1'000'000'000LL + status.st_mtim.tv_nsec};
 }
 
 FileTime ModifiedAt(const std::string& path) {
     struct stat status;
     if (stat(path.c_str(), &status) != 0) return {-1};
-    return {status.st_mtim.tv_sec * 1'000'000'000LL + status.st_mtim.tv_nsec};
+    return TimeOf(status);
 }
 
 // Two outputs with the same record were made alike.
@@ -86,14 +94,16 @@ OutputFiles FilesOf(const ShaderJob& job) {
     return files;
 }
 
+// What a new file is stamped with. Since Linux 6.13 files may be stamped ahead of CLOCK_REALTIME_COARSE.
 FileTime Now() {
-    timespec now;
-    clock_gettime(CLOCK_REALTIME_COARSE, &now);
-    return {now.tv_sec * 1'000'000'000LL + now.tv_nsec};
+    const Descriptor file(memfd_create("now", MFD_CLOEXEC));
+    struct stat status;
+    if (fstat(file.Number(), &status) != 0) throw Error("cannot ask for the time: {}", std::strerror(errno));
+    return TimeOf(status);
 }
 
 std::set<std::string> DependenciesOf(const ShaderJob& job) {
-    const std::string text = ReadFile(FilesOf(job).depfile);
+    const std::string text = OldText(FilesOf(job).depfile);
     std::set<std::string> names;
     // One name a line, after a line that names the target.
     std::istringstream lines(text);
@@ -132,7 +142,7 @@ std::string DepfileText(const std::string& comment, const std::string& target,
 bool IsUpToDate(const ShaderJob& job) {
     const OutputFiles files = FilesOf(job);
     if (!fs::exists(files.spirv) || !fs::exists(files.layout) || !fs::exists(files.depfile)) return false;
-    if (!ReadFile(files.depfile).starts_with(RecordOf(job) + "\n")) return false;
+    if (!OldText(files.depfile).starts_with(RecordOf(job) + "\n")) return false;
 
     std::set<std::string> dependencies = DependenciesOf(job);
     dependencies.insert("/proc/self/exe");
@@ -178,7 +188,7 @@ void WriteFile(const std::string& path, std::string_view bytes) {
 }
 
 void WriteFileIfChanged(const std::string& path, std::string_view bytes) {
-    if (!fs::is_regular_file(path) || ReadFile(path) != bytes) WriteFile(path, bytes);
+    if (!fs::is_regular_file(path) || OldText(path) != bytes) WriteFile(path, bytes);
 }
 
 }  // namespace boxcar

@@ -1,17 +1,18 @@
-// Files out: all that belongs to one shader at once, or none of it. And whether they need writing at all.
+// Files out: all the files of a shader or none of them. Also decides whether they need to be written at all.
 #pragma once
 
 #include <set>
 #include <string>
 #include <string_view>
 
-#include "tools/bxc/workers.h"
+#include "tools/bxc/compile.h"
+#include "tools/bxc/manifest.h"
 
 namespace boxcar {
 
-// OUT.spv, OUT.layout.json and OUT.d of an output named OUT.spv, and the header of -Fh; "" for each that is not to be
-// written. A device such as /dev/stdout gets the SPIR-V only. Where there is no .spv, the others are named after the
-// header.
+// OUT.spv, OUT.layout.json and OUT.d of an output named OUT.spv, and the header of -Fh; "" for each one that is not
+// to be written. A device such as /dev/stdout gets the SPIR-V only. Where there is no .spv, the others are named
+// after the header.
 struct OutputFiles {
     std::string spirv;
     std::string header;
@@ -26,16 +27,16 @@ struct FileTime {
 };
 FileTime Now();
 
-// True if all its files are there, were made by this program with the same flags, and nothing they depend on has
-// changed since.
+// True if all the shader's files are there and were made by this program with the same flags, and nothing that they
+// depend on has changed since.
 bool IsUpToDate(const ShaderJob& job);
 
 // Writes the files under temporary names, then gives them their own: they are complete or unchanged. The depfile is
-// stamped with `started`, the time before anything was read,
-// so that a file which was edited meanwhile counts as changed. Throws Error naming the file that cannot be written.
+// stamped with `started`, the time before anything was read, so that a file that was edited meanwhile counts as
+// changed. Throws Error naming the file that cannot be written.
 void WriteOutputs(const ShaderJob& job, const CompileResult& result, FileTime started);
 
-// A shader that failed leaves nothing behind that could pass for it.
+// Removes the files of a shader that failed, so that nobody takes old ones for new.
 void RemoveOutputs(const ShaderJob& job);
 
 // The names of the files that an up-to-date shader depends on, as in its depfile.

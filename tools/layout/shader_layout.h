@@ -28,7 +28,7 @@ enum class ResourceKind {
 
 enum class TextureDimension { None, Flat, Volume, Cube, Other };  // Flat: Texture2D; Volume: Texture3D
 
-// One variable of a constant block. Nested structs are flattened: "light.colour", "weights".
+// One variable of a constant block. Nested structs are flattened: "light.color", "weights".
 struct LayoutMember {
     std::string name;
     uint32_t offsetBytes = 0;

@@ -7,8 +7,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "samples/app/light.h"
+#include "samples/cli/commands.h"
 #include "samples/cli/console.h"
-#include "samples/cli/light.h"
 #include "samples/files/color.h"
 
 namespace boxcar {
@@ -120,7 +121,7 @@ Subject SubjectOf(const Picture& picture, Transfer transfer) {
             wholeCodes};
 }
 
-void AddPrecisionCommand(CLI::App& app) {
+Command AddPrecisionCommand(CLI::App& app) {
     const auto options = std::make_shared<PrecisionOptions>();
     CLI::App& command = *app.add_subcommand(
         "precision", "Measure how well tables of several precisions give a picture back, on the device");
@@ -144,7 +145,7 @@ void AddPrecisionCommand(CLI::App& app) {
         ->type_name("N");
     AddDeviceOptions(command, options->device);
     command.add_flag("--json", options->json, "Print one JSON array on stdout, an object a picture");
-    command.callback([options] { MeasurePictures(*options); });
+    return {&command, [options] { MeasurePictures(*options); }};
 }
 
 }  // namespace boxcar

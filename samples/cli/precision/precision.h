@@ -1,14 +1,10 @@
 // boxcar precision: how well tables of several precisions, biases, origins and builders give a picture back.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include "samples/cli/options.h"
 #include "samples/cli/precision/measure.h"
 
 namespace boxcar {
-
-void AddPrecisionCommand(CLI::App& app);
 
 // Whole codes: those of a file of 8 or 16 bits that is taken raw; its linear light is rounded to 16 bits; float
 // pictures have none.

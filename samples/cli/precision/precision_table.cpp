@@ -8,6 +8,7 @@
 #include "hlsl/constants/precision_constants.h"
 #include "hlsl/constants/sat_constants.h"
 #include "passes_shaders.h"
+#include "precision_shaders.h"
 #include "tools/base/error.h"
 
 namespace boxcar {
@@ -52,7 +53,7 @@ const Pipeline& PrecisionTable::PipelineOf(const std::string& pixel, Format targ
     if (known != m_pipelines.end()) return known->second;
     return m_pipelines
         .emplace(name, Pipeline(m_device, {passes_shaders::Find("shaders/" + vertex),
-                                           passes_shaders::Find("shaders/" + pixel),
+                                           precision_shaders::Find("shaders/" + pixel),
                                            {target}}))
         .first->second;
 }

@@ -1,5 +1,5 @@
 // flags: -T vs_3_0
-// expect: position0.vs.hlsl:8:8: error: 'main' writes no SV_Position [missing_position]
+// expect: position0.vs.hlsl:8:8: error: 'main' does not write SV_Position [missing_position]
 // expect: position0.vs.hlsl:7:23: note: POSITION is an ordinary output, not the position
 
 // As Direct3D 9 shaders wrote it.

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "tools/bxc/rules.h"
+#include "tools/layout/registers.h"
 
 namespace boxcar::rules::binding_clash {
 namespace {
@@ -15,12 +16,9 @@ uint64_t End(const LayoutResource& resource) {
 // "register(t3)", "register(b0, space1)"; with shifts of the user's own, "binding 3 of set 0"
 std::string Place(uint32_t set, uint32_t binding, const CompileOptions& options) {
     if (!options.shifts.empty()) return fmt::format("binding {} of set {}", binding, set);
-    const auto [letter, base] = binding >= 96   ? std::pair('t', 96u)
-                                : binding >= 32 ? std::pair('u', 32u)
-                                : binding >= 16 ? std::pair('s', 16u)
-                                                : std::pair('b', 0u);
-    return set == 0 ? fmt::format("register({}{})", letter, binding - base)
-                    : fmt::format("register({}{}, space{})", letter, binding - base, set);
+    const auto [registerClass, number] = RegisterAt(binding);
+    return set == 0 ? fmt::format("register({}{})", registerClass, number)
+                    : fmt::format("register({}{}, space{})", registerClass, number, set);
 }
 
 }  // namespace

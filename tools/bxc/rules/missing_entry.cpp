@@ -6,7 +6,7 @@ namespace boxcar::rules::missing_entry {
 void Check(const RuleSubject& shader, const RuleSubject*, Diagnostics& diagnostics) {
     if (!shader.compiled.hasEntry)
         diagnostics.push_back({shader.EntryPlace(), Severity::Error,
-                               fmt::format("there is no function '{}' to enter", shader.options.entry)});
+                               fmt::format("there is no entry point '{}'", shader.options.entry)});
 }
 
 }  // namespace boxcar::rules::missing_entry

@@ -1,4 +1,4 @@
-// A vertex shader that gives the rasteriser no position. POSITION0 is an ordinary output, not the position.
+// A vertex shader that gives the rasterizer no position. POSITION0 is an ordinary output, not the position.
 #include <algorithm>
 
 #include "tools/bxc/rules.h"
@@ -10,7 +10,7 @@ void Check(const RuleSubject& shader, const RuleSubject*, Diagnostics& diagnosti
         return;
 
     diagnostics.push_back(
-        {shader.EntryPlace(), Severity::Error, fmt::format("'{}' writes no SV_Position", shader.options.entry)});
+        {shader.EntryPlace(), Severity::Error, fmt::format("'{}' does not write SV_Position", shader.options.entry)});
     const auto old = std::ranges::find(shader.declared.outputs, "POSITION0", &LayoutVariable::semantic);
     if (old != shader.declared.outputs.end())
         diagnostics.push_back({shader.outline.Output(shader.options.entry, old->name), Severity::Note,

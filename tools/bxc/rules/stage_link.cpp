@@ -41,7 +41,7 @@ std::string Text(const LayoutVariable& variable) {
 void Check(const RuleSubject& shader, const RuleSubject* before, Diagnostics& diagnostics) {
     if (!before || !before->compiled.hasEntry || !shader.compiled.hasEntry) return;
     const auto error = [&](const SourcePlace& place, const std::string& text) {
-        diagnostics.push_back({place, Severity::Error, text + "; let both stages share one struct"});
+        diagnostics.push_back({place, Severity::Error, text + "; use one struct for both stages"});
     };
     const auto noteWhereWritten = [&](const LayoutVariable& out) {
         diagnostics.push_back(

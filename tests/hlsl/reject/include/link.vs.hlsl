@@ -4,7 +4,7 @@ struct VsOut
     float4 position : SV_Position;
     float2 key : KEY;
     float2 uv : TEXCOORD0;
-    float4 colour[2] : COLOR;
+    float4 color[2] : COLOR;
 };
 
 VsOut main(uint id : SV_VertexID)
