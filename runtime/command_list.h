@@ -24,11 +24,18 @@ public:
     CommandList(CommandList&&) noexcept;
     CommandList& operator=(CommandList&&) noexcept;
 
-    // Throws Error: a texture of the shaders is not among pass.reads, or is a volume or a cube map where they read
-    // another kind; an image is read and written at once; the targets and the depth image differ in extent, are not
-    // of the pipeline's formats or are volumes; the constants have another size than the shaders'; a mesh or a depth
-    // image is missing, or given to a pipeline that has no use for it. The message names the pass.
+    // Both order what they do after all that was recorded before on the same images and buffers.
+    //
+    // Both throw Error: a texture of the shaders is not among pass.reads, or is a volume or a cube map where they
+    // read another kind; a writable texture or a buffer is not among pass.storage, is the other of the two or is an
+    // image that cannot be it; an image is read and written at once, or written by two names; the constants have
+    // another size than the shaders'. The message names the pass.
+    //
+    // Draw also: the targets and the depth image differ in extent, are not of the pipeline's formats or are volumes;
+    // a mesh or a depth image is missing, or given to a pipeline that has no use for it. Dispatch also: a count of
+    // groups is 0 or more than the device runs.
     void Draw(const Pass& pass);
+    void Dispatch(const ComputePass& pass);
 
     // Puts an image into the state for a use outside of Draw, with the barrier that it needs.
     void Use(const Image& image, ImageUse use);
@@ -43,7 +50,8 @@ public:
     // lost.
     void SubmitAndWait();
 
-    // After SubmitAndWait() of a list with timing: one entry a Draw, in order. Empty where the device has no timer.
+    // After SubmitAndWait() of a list with timing: one entry a Draw or Dispatch, in order. Empty where the device has
+    // no timer.
     std::vector<PassTime> PassTimes() const;
 
     // For Vulkan commands of one's own between passes.

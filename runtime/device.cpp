@@ -185,7 +185,9 @@ Device::Device(const DeviceDesc& desc) : m_impl(new Impl(LoadVulkan())) {
     vk::DeviceCreateInfo deviceInfo({}, queueInfo);
     deviceInfo.pNext = &vulkan13;
     vk::PhysicalDeviceFeatures features;
-    features.samplerAnisotropy = d.physicalDevice.getFeatures().samplerAnisotropy;
+    const vk::PhysicalDeviceFeatures available = d.physicalDevice.getFeatures();
+    features.samplerAnisotropy = available.samplerAnisotropy;
+    features.fragmentStoresAndAtomics = available.fragmentStoresAndAtomics;
     deviceInfo.pEnabledFeatures = &features;
     d.device = vk::raii::Device(d.physicalDevice, deviceInfo);
     d.queue = d.device.getQueue(d.queueFamily, 0);
@@ -237,6 +239,8 @@ void Device::Impl::Finish() {
     limits.maxSideTexels = base.limits.maxImageDimension2D;
     limits.maxVolumeSideTexels = base.limits.maxImageDimension3D;
     limits.maxImageBytes = properties.get<vk::PhysicalDeviceMaintenance3Properties>().maxMemoryAllocationSize;
+    maxStorageBytes = base.limits.maxStorageBufferRange;
+    maxThreadGroups = base.limits.maxComputeWorkGroupCount;
     if (hasSamplerAnisotropy) maxAnisotropy = base.limits.maxSamplerAnisotropy;
     memory = physicalDevice.getMemoryProperties();
     if (physicalDevice.getQueueFamilyProperties()[queueFamily].timestampValidBits > 0)

@@ -1,6 +1,6 @@
 // The device that everything else is made on.
 //
-//   Device -> Image, Pipeline -> CommandList records Passes -> ReadTexels
+//   Device -> Image, StorageBuffer, Pipeline, ComputePipeline -> CommandList records Passes -> ReadTexels, ReadBytes
 //
 // runtime/ is the thinnest layer over Vulkan that image-to-image chains need: one queue, one thread, dynamic
 // rendering, barriers derived from what a pass says it reads and writes, bindings by the names in the HLSL. It can
@@ -48,7 +48,8 @@ struct DeviceDesc {
 };
 
 // An engine's own device. It must outlive the Device made of it, be created with the three features,
-// and `queue` must be a graphics queue that nobody else submits to at the same time.
+// and `queue` must be a graphics queue that nobody else submits to at the same time. Pixel shaders that write
+// storage need fragmentStoresAndAtomics as well.
 struct AdoptedDevice {
     VkInstance instance = VK_NULL_HANDLE;
     VkPhysicalDevice physicalDevice = VK_NULL_HANDLE;

@@ -1,4 +1,6 @@
 // A pass that draws: its targets are checked and attached, then a quad or a mesh is drawn into them.
+#include <algorithm>
+
 #include "runtime/vulkan.h"
 #include "tools/base/error.h"
 
@@ -19,10 +21,10 @@ void CheckTarget(const Pass& pass, const Image& image, Format format) {
     if (target.layers != 1 || target.levels != 1)
         throw Error("pass '{}' writes '{}', which has {} layers and {} levels: draw an image of one and copy it",
                     pass.name, target.name, target.layers, target.levels);
-    for (const Read& read : pass.reads)
-        if (read.image == &image)
-            throw Error("pass '{}' reads and writes '{}' at once: what it would read is undefined", pass.name,
-                        target.name);
+    const bool isRead = std::ranges::count(pass.reads, &image, &Read::image) > 0;
+    if (isRead || std::ranges::count(pass.storage, &image, &Storage::image) > 0)
+        throw Error("pass '{}' {} '{}' at once: what it would read is undefined", pass.name,
+                    isRead ? "reads and writes" : "stores to and draws", target.name);
 }
 
 void CheckTargets(const Pass& pass, const Pipeline::Impl& pipeline) {
@@ -30,7 +32,7 @@ void CheckTargets(const Pass& pass, const Pipeline::Impl& pipeline) {
         throw Error("pass '{}' writes {} images, its pipeline {}", pass.name, pass.writes.size(),
                     pipeline.targets.size());
     if (pipeline.drawsMesh != (pass.mesh != nullptr))
-        throw Error("pass '{}' gives {} mesh: {} draws {}", pass.name, pass.mesh ? "a" : "no", pipeline.name,
+        throw Error("pass '{}' gives {} mesh: {} draws {}", pass.name, pass.mesh ? "a" : "no", pipeline.shaders.name,
                     pipeline.drawsMesh ? "one" : "a quad");
     if (pipeline.testsDepth != (pass.depth != nullptr))
         throw Error("pass '{}' gives {} depth image: its pipeline tests {}", pass.name, pass.depth ? "a" : "no",
@@ -82,8 +84,10 @@ vk::Viewport ViewportOf(Extent2D extent) {
 void CommandList::Draw(const Pass& pass) {
     Impl& c = *m_impl;
     const auto& dispatch = *c.device->device.getDispatcher();
-    CheckTargets(pass, pass.pipeline.impl());
-    const std::vector<vk::DescriptorSet> sets = c.PrepareResources(pass);
+    const Pipeline::Impl& pipeline = pass.pipeline.impl();
+    CheckTargets(pass, pipeline);
+    const PassResources resources{pass.name, pass.reads, pass.storage, pass.constants};
+    const std::vector<vk::DescriptorSet> sets = c.Prepare(pipeline.shaders, resources);
     for (const Image* target : pass.writes)
         c.Barrier(*target, ImageUse::ColorTarget);
     if (pass.depth) c.Barrier(*pass.depth, ImageUse::DepthTarget);
@@ -93,7 +97,8 @@ void CommandList::Draw(const Pass& pass) {
 
     c.BeginPass(pass.name);
     c.commands.beginRendering(vk::RenderingInfo({}, rect, 1, 0, colors, depth ? &*depth : nullptr), dispatch);
-    c.Bind(pass, sets);
+    c.commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline.pipeline, dispatch);
+    c.Bind(vk::PipelineBindPoint::eGraphics, pipeline.shaders, sets, pass.constants);
     c.commands.setViewport(0, ViewportOf(pass.writes[0]->Extent()), dispatch);
     c.commands.setScissor(0, rect, dispatch);
     if (pass.mesh) {

@@ -2,7 +2,7 @@
 // reflected layouts: no binding number, no offset and no sampler stands in C++.
 //
 // Samplers are chosen by their names in the HLSL: {nearest|linear|anisotropic}{Border|Clamp|Repeat|Mirror}; Border is
-// a border colour of 0, linear blends mip levels too, anisotropic takes up to 16 samples (where the device can; else
+// a border color of 0, linear blends mip levels too, anisotropic takes up to 16 samples (where the device can; else
 // it is linear). So `SamplerState nearestBorder : register(s0);` is all there is to say.
 #pragma once
 

@@ -11,6 +11,29 @@ namespace {
 
 constexpr uint64_t kStagingBytes = 64 << 20;
 
+struct StagingBuffer : Buffer {
+    StagingBuffer(Device& device, uint64_t bytes)
+        : Buffer(device.impl(), bytes, vk::BufferUsageFlagBits::eTransferSrc | vk::BufferUsageFlagBits::eTransferDst,
+                 vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent,
+                 "boxcar staging") {}
+};
+
+void SubmitAndLetTheHostRead(CommandList& commands) {
+    const vk::MemoryBarrier2 toHost(vk::PipelineStageFlagBits2::eTransfer, vk::AccessFlagBits2::eTransferWrite,
+                                    vk::PipelineStageFlagBits2::eHost, vk::AccessFlagBits2::eHostRead);
+    commands.impl().own.pipelineBarrier2(vk::DependencyInfo({}, toHost));
+    commands.SubmitAndWait();
+}
+
+// Calls copy(staging, offset of the part in the bytes, its bytes) for each part.
+template <typename Copy>
+void ForEachPart(Device& device, uint64_t bytes, Copy copy) {
+    const uint64_t partBytes = std::min(bytes, kStagingBytes);
+    const StagingBuffer staging(device, partBytes);
+    for (uint64_t at = 0; at < bytes; at += partBytes)
+        copy(staging, at, std::min(partBytes, bytes - at));
+}
+
 // Calls copy(staging, region, offset of the band in the texels, its bytes) for each band of rows of each slice.
 template <typename Copy>
 void ForEachBand(Device& device, const Image& image, uint64_t texelBytes, Copy copy) {
@@ -22,11 +45,7 @@ void ForEachBand(Device& device, const Image& image, uint64_t texelBytes, Copy c
     BOXCAR_ASSERT(texelBytes == sliceBytes * depth);
     const auto rowsPerBand = static_cast<uint32_t>(std::clamp<uint64_t>(kStagingBytes / rowBytes, 1, height));
     const auto slicesPerBand = static_cast<uint32_t>(std::clamp<uint64_t>(kStagingBytes / sliceBytes, 1, depth));
-    using Usage = vk::BufferUsageFlagBits;
-    using Property = vk::MemoryPropertyFlagBits;
-    const Buffer staging(device.impl(), slicesPerBand * rowsPerBand * rowBytes,
-                         Usage::eTransferSrc | Usage::eTransferDst, Property::eHostVisible | Property::eHostCoherent,
-                         "boxcar staging");
+    const StagingBuffer staging(device, slicesPerBand * rowsPerBand * rowBytes);
     for (uint32_t slice = 0; slice < depth; slice += slicesPerBand)
         for (uint32_t row = 0; row < height; row += rowsPerBand) {
             const uint32_t slices = std::min(slicesPerBand, depth - slice);
@@ -59,13 +78,31 @@ void ReadTexels(Device& device, const Image& image, std::span<std::byte> texels)
                     commands.Use(image, ImageUse::TransferSource);
                     commands.impl().own.copyImageToBuffer(image.Handle(), image.impl().state.layout, staging.Handle(),
                                                           region);
-                    const vk::MemoryBarrier2 toHost(
-                        vk::PipelineStageFlagBits2::eTransfer, vk::AccessFlagBits2::eTransferWrite,
-                        vk::PipelineStageFlagBits2::eHost, vk::AccessFlagBits2::eHostRead);
-                    commands.impl().own.pipelineBarrier2(vk::DependencyInfo({}, toHost));
-                    commands.SubmitAndWait();
+                    SubmitAndLetTheHostRead(commands);
                     std::memcpy(texels.data() + at, staging.Mapped(), bytes);
                 });
+}
+
+void WriteBytes(Device& device, const StorageBuffer& buffer, std::span<const std::byte> bytes) {
+    BOXCAR_ASSERT(bytes.size() == buffer.Bytes());
+    ForEachPart(device, bytes.size(), [&](const Buffer& staging, uint64_t at, uint64_t partBytes) {
+        std::memcpy(staging.Mapped(), bytes.data() + at, partBytes);
+        CommandList commands(device);
+        commands.impl().Barrier(buffer, BufferUse::TransferTarget);
+        commands.impl().own.copyBuffer(staging.Handle(), buffer.Handle(), vk::BufferCopy(0, at, partBytes));
+        commands.SubmitAndWait();
+    });
+}
+
+void ReadBytes(Device& device, const StorageBuffer& buffer, std::span<std::byte> bytes) {
+    BOXCAR_ASSERT(bytes.size() == buffer.Bytes());
+    ForEachPart(device, bytes.size(), [&](const Buffer& staging, uint64_t at, uint64_t partBytes) {
+        CommandList commands(device);
+        commands.impl().Barrier(buffer, BufferUse::TransferSource);
+        commands.impl().own.copyBuffer(buffer.Handle(), staging.Handle(), vk::BufferCopy(at, 0, partBytes));
+        SubmitAndLetTheHostRead(commands);
+        std::memcpy(bytes.data() + at, staging.Mapped(), partBytes);
+    });
 }
 
 }  // namespace boxcar

@@ -2,8 +2,10 @@
 // seconds in every file that includes it.
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 #include <vulkan/vulkan_raii.hpp>
@@ -13,6 +15,7 @@
 #include "runtime/image.h"
 #include "runtime/mesh.h"
 #include "runtime/pipeline.h"
+#include "runtime/storage_buffer.h"
 
 namespace boxcar {
 
@@ -32,6 +35,8 @@ struct Device::Impl {
 
     DeviceInfo info;
     DeviceLimits limits;
+    uint64_t maxStorageBytes = 0;  // of one buffer
+    std::array<uint32_t, 3> maxThreadGroups{};
     vk::PhysicalDeviceMemoryProperties memory;
     double nanosecondsPerTick = 0;  // 0: no timer
     uint64_t memoryBytes = 0;
@@ -105,13 +110,28 @@ private:
     uint64_t m_bytes = 0;
 };
 
+enum class BufferUse { Storage, TransferSource, TransferTarget };
+
+// As an image's, without a layout.
+struct BufferState {
+    vk::PipelineStageFlags2 stages = vk::PipelineStageFlagBits2::eNone;
+    vk::AccessFlags2 access = vk::AccessFlagBits2::eNone;
+};
+
+struct StorageBuffer::Impl {
+    Buffer buffer;
+    uint64_t bytes = 0;
+    std::string name;
+    BufferState state;
+};
+
 struct Mesh::Impl {
     Buffer buffer;  // vertices, then indices
     uint64_t indicesOffsetBytes = 0;
     uint32_t indexCount = 0;
 };
 
-// A resource of either shader, by name, and where its descriptor lives.
+// A resource of a shader, by name, and where its descriptor lives.
 struct Binding {
     std::string name;
     ResourceKind kind = ResourceKind::Texture;
@@ -120,18 +140,48 @@ struct Binding {
     TextureDimension dimension = TextureDimension::Flat;
 };
 
-struct Pipeline::Impl {
-    Device::Impl* device = nullptr;
+struct StageShader {
+    const EmbeddedShader& shader;
+    ShaderLayout layout;
+    vk::ShaderStageFlagBits bit;
+};
+
+vk::raii::ShaderModule MakeModule(const Device::Impl& device, const StageShader& stage);
+
+// What all shaders of a pipeline together take.
+struct ShaderInterface {
+    // Throws Error: a resource of a kind or a sampler of a name that the runtime does not know; constants over 128
+    // bytes.
+    ShaderInterface(Device::Impl& device, std::string name, std::span<const StageShader> stages);
+
     std::string name;
-    std::vector<Format> targets;
-    bool drawsMesh = false;
-    bool testsDepth = false;
     std::vector<Binding> bindings;  // that a pass has to name: samplers are fixed
     uint32_t constantsBytes = 0;
     vk::ShaderStageFlags constantsStages;
     std::vector<vk::raii::DescriptorSetLayout> setLayouts;
     vk::raii::PipelineLayout layout = nullptr;
+};
+
+struct Pipeline::Impl {
+    ShaderInterface shaders;
+    std::vector<Format> targets;
+    bool drawsMesh = false;
+    bool testsDepth = false;
     vk::raii::Pipeline pipeline = nullptr;
+};
+
+struct ComputePipeline::Impl {
+    ShaderInterface shaders;
+    std::array<uint32_t, 3> threadGroup{};
+    vk::raii::Pipeline pipeline = nullptr;
+};
+
+// What a pass of either kind gives its shaders.
+struct PassResources {
+    std::string_view pass;  // its name
+    std::span<const Read> reads;
+    std::span<const Storage> storage;
+    std::span<const std::byte> constants;
 };
 
 // Measures passes with pairs of timestamps, in as many pools of them as the passes need.
@@ -169,13 +219,14 @@ struct CommandList::Impl {
     void EndPass();
 
     void Barrier(const Image& image, ImageUse use);
+    void Barrier(const StorageBuffer& buffer, BufferUse use);
 
-    // Checks what the pass gives its shaders to read, and the constants; returns descriptors of it, whose barriers
-    // are recorded.
-    std::vector<vk::DescriptorSet> PrepareResources(const Pass& pass);
-    void Bind(const Pass& pass, const std::vector<vk::DescriptorSet>& sets);
+    // Checks the resources against what the shaders take, and records their barriers. Outside of rendering.
+    std::vector<vk::DescriptorSet> Prepare(const ShaderInterface& shaders, const PassResources& pass);
+    void Bind(vk::PipelineBindPoint point, const ShaderInterface& shaders, const std::vector<vk::DescriptorSet>& sets,
+              std::span<const std::byte> constants);
 
-    std::vector<vk::DescriptorSet> AllocateSets(const Pipeline::Impl& pipeline);
+    std::vector<vk::DescriptorSet> AllocateSets(const ShaderInterface& shaders);
 };
 
 vk::Format VulkanFormat(Format format);
