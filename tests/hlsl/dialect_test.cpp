@@ -8,8 +8,8 @@
 
 #include "passes_shaders.h"
 #include "test_support_shaders.h"
-#include "tests/hlsl/compute.h"
 #include "tests/hlsl/test_constants.h"
+#include "tests/support/device_buffer.h"
 #include "tests/support/device_image.h"
 
 namespace boxcar {
@@ -133,20 +133,19 @@ TEST(Direct3dAttributes, LeaveTheShaderAsItIs) {
 
 // 64 threads; the numbers follow from the comments in atomics.cs.
 TEST(Atomics, ConvertTheirOperandsToTheTypeOfTheMemory) {
-    constexpr uint32_t kBytes = 32, kResults = 33, kSignedResults = 34, kThreads = 64;
-    StorageBuffers buffers = {
-        {kBytes, std::vector<uint32_t>(24, 0)}, {kResults, {0, 6, 0}}, {kSignedResults, {0, 0, 0}}};
-    std::vector<uint32_t>& bytes = buffers[kBytes];
+    constexpr uint32_t kThreads = 64;
+    NamedWords buffers = {{"bytes", Words(24, 0)}, {"results", {0, 6, 0}}, {"signedResults", {0, 0, 0}}};
+    Words& bytes = buffers["bytes"];
     bytes[1] = 100;   // less 64
     bytes[2] = 50;    // its minimum with 0xffffffff
     bytes[5] = 0xff;  // less its lowest four bits
     bytes[6] = 9;     // an even number of times
     bytes[10] = 5;
     bytes[12] = 6;
-    buffers[kSignedResults][1] = static_cast<uint32_t>(-6);
-    const StorageBuffers after = Dispatch(test_support_shaders::Find("shaders/atomics.cs"), buffers, 1);
+    buffers["signedResults"][1] = static_cast<uint32_t>(-6);
+    const NamedWords after = RunCompute(test_support_shaders::Find("shaders/atomics.cs"), buffers, 1);
 
-    const std::vector<uint32_t>& words = after.at(kBytes);
+    const Words& words = after.at("bytes");
     EXPECT_EQ(words[0], kThreads);
     EXPECT_EQ(words[1], 100 - kThreads);
     EXPECT_EQ(words[2], 50u);
@@ -164,8 +163,8 @@ TEST(Atomics, ConvertTheirOperandsToTheTypeOfTheMemory) {
     EXPECT_EQ(std::vector<uint32_t>(words.begin() + 13, words.begin() + 22),
               (std::vector<uint32_t>{3, 3, 4, 4, 4, 5, 5, 5, 5}));
     EXPECT_EQ(words[22], 0u) << "nothing is written behind Store4";
-    EXPECT_EQ(after.at(kResults), (std::vector<uint32_t>{kThreads, 9, kThreads}));
-    EXPECT_EQ(after.at(kSignedResults),
+    EXPECT_EQ(after.at("results"), (std::vector<uint32_t>{kThreads, 9, kThreads}));
+    EXPECT_EQ(after.at("signedResults"),
               (std::vector<uint32_t>{63, static_cast<uint32_t>(-9), static_cast<uint32_t>(-63)}));
 }
 

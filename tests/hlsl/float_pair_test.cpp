@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "test_support_shaders.h"
-#include "tests/hlsl/compute.h"
+#include "tests/support/device_buffer.h"
 
 namespace boxcar {
 namespace {
@@ -19,16 +19,16 @@ static_assert(std::numeric_limits<long double>::digits >= 64);
 
 using Floats = std::vector<float>;
 
-// Runs a shader that reads storage buffer 0 and writes `resultsPerThread` floats a thread into storage buffer 1.
-Floats RunShader(const char* shader, const Floats& source, uint32_t threads, uint32_t resultsPerThread) {
-    constexpr uint32_t kSource = 32, kResults = 33;
-    StorageBuffers buffers;
+// Runs a shader that reads `source` from the buffer of a name and writes `resultsPerThread` floats a thread.
+Floats RunShader(const char* shader, const std::string& sourceName, const Floats& source, uint32_t threads,
+                 uint32_t resultsPerThread) {
+    NamedWords buffers;
     for (const float value : source)
-        buffers[kSource].push_back(std::bit_cast<uint32_t>(value));
-    buffers[kResults].resize(static_cast<size_t>(threads) * resultsPerThread);
-    const StorageBuffers after = Dispatch(test_support_shaders::Find(shader), buffers, threads / 64);
+        buffers[sourceName].push_back(std::bit_cast<uint32_t>(value));
+    buffers["results"].resize(static_cast<size_t>(threads) * resultsPerThread);
+    const NamedWords after = RunCompute(test_support_shaders::Find(shader), buffers, threads / 64);
     Floats results;
-    for (const uint32_t word : after.at(kResults))
+    for (const uint32_t word : after.at("results"))
         results.push_back(std::bit_cast<float>(word));
     return results;
 }
@@ -78,7 +78,7 @@ std::vector<Case> RunPairs() {
         for (const auto member : {&Operands::aHigh, &Operands::bHigh, &Operands::aLow, &Operands::bLow})
             for (uint32_t lane = 0; lane < 4; lane++)
                 source.push_back(operands[4 * thread + lane].*member);
-    const Floats results = RunShader("shaders/float_pair.cs", source, kThreads, 8 * kOperations);
+    const Floats results = RunShader("shaders/float_pair.cs", "operands", source, kThreads, 8 * kOperations);
     std::vector<Case> cases;
     for (uint32_t i = 0; i < 4 * kThreads; i++) {
         Case& made = cases.emplace_back(Case{operands[i], {}});
@@ -125,7 +125,7 @@ TEST(SATStretches, WeightsAreWhatTheBoxCoversExactly) {
             thread % 8 == 0 ? std::floor(begin(random)) : std::ldexp(begin(random), -static_cast<int>(random() % 16));
         boxes.insert(boxes.end(), {lo, lo + (thread % 4 == 0 ? 0.25f : 1.0f) * width(random)});
     }
-    const Floats results = RunShader("shaders/sat_stretches.cs", boxes, kThreads, 12);
+    const Floats results = RunShader("shaders/sat_stretches.cs", "boxes", boxes, kThreads, 12);
     for (uint32_t thread = 0; thread < kThreads; thread++) {
         const double lo = boxes[2 * thread], hi = boxes[2 * thread + 1];
         const float* corners = &results[12 * static_cast<size_t>(thread)];
