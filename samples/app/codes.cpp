@@ -229,13 +229,12 @@ CodeWords CodedPicture::Rows(size_t round, uint32_t firstRow, uint32_t rows) con
     return words;
 }
 
-UploadedWords CodedPicture::Upload(Device& device, size_t round, uint32_t firstRow, uint32_t rows) const {
-    const Extent2D extent{m_picture.widthTexels, rows};
+WordImages CodedPicture::Upload(Device& device, size_t round, uint32_t firstRow, uint32_t rows) const {
     const CodeWords codes = Rows(round, firstRow, rows);
-    UploadedWords words;
-    words.images.push_back(boxcar::Upload(device, extent, std::span(codes.low), "source"));
-    if (!codes.high.empty())
-        words.images.push_back(boxcar::Upload(device, extent, std::span(codes.high), "source, upper words"));
+    WordImages words(device, m_plan.precision, {m_picture.widthTexels, rows}, "source");
+    const TexelWords images = words;
+    WriteTexels(device, *images.low, std::as_bytes(std::span(codes.low)));
+    if (images.high) WriteTexels(device, *images.high, std::as_bytes(std::span(codes.high)));
     return words;
 }
 

@@ -77,7 +77,7 @@ public:
     CodeWords Rows(size_t round, uint32_t firstRow, uint32_t rows) const;
 
     // The same on the device.
-    UploadedWords Upload(Device& device, size_t round, uint32_t firstRow, uint32_t rows) const;
+    WordImages Upload(Device& device, size_t round, uint32_t firstRow, uint32_t rows) const;
 
 private:
     const Picture& m_picture;

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "runtime/command_list.h"
-#include "runtime/passes/texel_words.h"
 #include "runtime/transfer.h"
 
 namespace boxcar {
@@ -21,15 +20,6 @@ Image Upload(Device& device, Extent2D extent, std::span<const Texel> texels, con
     WriteTexels(device, image, std::as_bytes(texels));
     return image;
 }
-
-// What a summed-area table is made of, with the images that hold it: one, or the lower and the upper words.
-struct UploadedWords {
-    std::vector<Image> images;
-
-    operator TexelWords() const {
-        return images.size() > 1 ? TexelWords(images[0], images[1]) : TexelWords(images[0]);
-    }
-};
 
 template <typename Texel>
 std::vector<Texel> Download(Device& device, const Image& image) {

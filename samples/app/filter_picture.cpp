@@ -61,13 +61,12 @@ struct Source {
     size_t Rounds() const { return codes ? codes->Plan().rounds.size() : 1; }
     double Unit(size_t round) const { return codes ? codes->Plan().rounds[round].unit : 1; }
 
-    UploadedWords Upload(Device& device, uint32_t widthTexels, size_t round, const Band& band) const {
+    WordImages Upload(Device& device, uint32_t widthTexels, size_t round, const Band& band) const {
         if (codes) return codes->Upload(device, round, band.firstRead, band.rowsRead);
-        const Extent2D extent{widthTexels, band.rowsRead};
-        UploadedWords words;
-        words.images.push_back(
-            boxcar::Upload(device, extent, RowsOf(*light, widthTexels, band.firstRead, band.rowsRead), "source"));
-        return words;
+        WordImages image(device, SATPrecision::FP32, {widthTexels, band.rowsRead}, "source");
+        WriteTexels(device, *TexelWords(image).low,
+                    std::as_bytes(RowsOf(*light, widthTexels, band.firstRead, band.rowsRead)));
+        return image;
     }
 };
 
@@ -91,7 +90,7 @@ std::vector<glm::vec4> FilterBands(Device& device, const Source& source, BlurDes
         for (size_t round = source.Rounds(); round-- > 0;) {
             if (source.codes) desc.codes = source.codes->Plan().rounds[round].codes;
             Blur blur(device, desc);
-            const UploadedWords words = source.Upload(device, width, round, band);
+            const WordImages words = source.Upload(device, width, round, band);
             CommandList commands(device, CommandList::Timing::On);
             const Image& result = blur.Record(commands, words, widths);
             commands.SubmitAndWait();

@@ -27,7 +27,7 @@ std::vector<glm::vec4> FocusPicture(Device& device, const Picture& picture, cons
     for (size_t round = codes.Plan().rounds.size(); round-- > 0;) {
         desc.codes = codes.Plan().rounds[round].codes;
         DepthOfField effect(device, desc);
-        const UploadedWords words = codes.Upload(device, round, 0, picture.heightTexels);
+        const WordImages words = codes.Upload(device, round, 0, picture.heightTexels);
         CommandList commands(device, CommandList::Timing::On);
         const Image& image = effect.Record(commands, words, depth, request.lens);
         commands.SubmitAndWait();

@@ -124,7 +124,7 @@ Stats WriteTable(Device& device, const Job& job, const SatOptions& options) {
     if (!isFloat) {
         const CodedPicture codes(picture, transfer, NamedCodes(picture, job.input, transfer, precision));
         const bool isWide = precision == SATPrecision::U64;
-        const UploadedWords words = codes.Upload(device, 0, 0, extent.heightTexels);
+        const WordImages words = codes.Upload(device, 0, 0, extent.heightTexels);
         const TexelWords sums = table.Record(commands, words);
         finish();
         std::vector<UintChannel> channels;

@@ -49,14 +49,13 @@ public:
           m_post(UploadMesh(device, Post(), "post")),
           m_ground(UploadMesh(device, Ground(40, 1), "ground")),
           m_drawDepth(device, SceneShaders(EffectShader("shadow_depth.ps"))),
-          m_drawMoments(device, QuadShaders(EffectShader("shadow_moments.ps"), {Format::RGBA32UI, Format::RGBA32UI})),
+          m_drawMoments(device, QuadShaders(EffectShader("shadow_moments.ps"), WordFormats(SATPrecision::U64))),
           m_drawSurfaces(device, SceneShaders(EffectShader("shadow_surface.ps"), std::vector(3, Format::RGBA32F))),
           m_variance(device, QuadShaders(EffectShader("soft_shadow.ps.HARD=0"))),
           m_hard(device, QuadShaders(EffectShader("soft_shadow.ps.HARD=1"))),
           m_map(device, {MapExtent(values), Format::RGBA32F, "depth from the lamp"}),
           m_mapDepth(device, {MapExtent(values), Format::Depth32F, "lamp's depth"}),
-          m_low(device, {MapExtent(values), Format::RGBA32UI, "moments"}),
-          m_high(device, {MapExtent(values), Format::RGBA32UI, "moments, upper words"}),
+          m_moments(device, SATPrecision::U64, MapExtent(values), "moments"),
           m_position(device, {inputs.extent, Format::RGBA32F, "positions"}),
           m_normal(device, {inputs.extent, Format::RGBA32F, "normals"}),
           m_albedo(device, {inputs.extent, Format::RGBA32F, "colors"}),
@@ -120,8 +119,8 @@ private:
             commands.Draw({.name = "moments",
                            .pipeline = m_drawMoments,
                            .reads = {{"depth", &m_map}},
-                           .writes = {&m_low, &m_high}});
-            const TexelWords table = m_table.Record(commands, {m_low, m_high});
+                           .writes = m_moments.Writes()});
+            const TexelWords table = m_table.Record(commands, m_moments);
             AddTableStages("table", table);
             light.reads = TableReads(table, light.reads);
         }
@@ -147,7 +146,9 @@ private:
         .eyeWorld = {0, 2.6f, 5.2f}, .targetWorld = {0, 0.35f, -0.2f}, .verticalAngleRadians = 0.7f, .farDepth = 60};
     Mesh m_object, m_sphere, m_post, m_ground;
     Pipeline m_drawDepth, m_drawMoments, m_drawSurfaces, m_variance, m_hard;
-    Image m_map, m_mapDepth, m_low, m_high, m_position, m_normal, m_albedo, m_depth, m_picture;
+    Image m_map, m_mapDepth;
+    WordImages m_moments;
+    Image m_position, m_normal, m_albedo, m_depth, m_picture;
     SummedAreaTable m_table;
 };
 
