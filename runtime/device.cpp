@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cstdio>
 #include <cstring>
+#include <span>
 
 #include "runtime/vulkan.h"
 #include "tools/base/error.h"
@@ -16,7 +17,12 @@ constexpr uint32_t kApiVersion = VK_API_VERSION_1_3;
 
 VKAPI_ATTR VkBool32 VKAPI_CALL OnMessage(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
                                          const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
-    static_cast<Device::Impl*>(user)->onValidationMessage(data->pMessage);
+    std::string message = data->pMessage;
+    // Layers from 1.4 on leave the names of objects out of their text.
+    for (const auto& object : std::span(data->pObjects, data->objectCount))
+        if (object.pObjectName && message.find(object.pObjectName) == std::string::npos)
+            message += fmt::format(" ['{}']", object.pObjectName);
+    static_cast<Device::Impl*>(user)->onValidationMessage(message);
     return VK_FALSE;
 }
 
